@@ -1,0 +1,165 @@
+# make run      install what is missing, build, open the default scene (or render it to out/)
+# make test     install what is missing, build, run all tests in both precisions
+# make check    format, include layers, headers alone, gcc and clang with warnings as errors,
+#               all tests under the address and undefined-behaviour sanitizers
+# make bench    measure and print speed
+# make format   rewrite the sources as clang-format has them
+# make clean    remove what was built
+#
+# build/balloon has a state of float, build/balloon-double of double; both come from src/.
+
+# Debian 12's names; the only list of packages there is
+BUILD_PACKAGES := gcc g++ pkg-config libassimp-dev libcyaml-dev libcglm-dev libimgui-dev \
+    libglfw3-dev libegl-dev libopengl-dev libpng-dev
+RUN_PACKAGES   := libegl1 libgl1 libgl1-mesa-dri ffmpeg
+TEST_PACKAGES  := libcmocka-dev xvfb xdotool imagemagick
+CHECK_PACKAGES := clang clang-format
+LIBRARIES      := assimp libcyaml cglm imgui glfw3 egl opengl libpng
+
+BUILD    ?= build
+CC       := $(if $(filter default,$(origin CC)),gcc,$(CC))
+CXX      := $(if $(filter default,$(origin CXX)),g++,$(CXX))
+EXTRA    ?=
+JOBS     := $(shell nproc 2>/dev/null || echo 2)
+PREFIX   ?= /usr/local
+
+# Bits: no contraction and no reassociation, so that every compiler rounds alike; without errno and
+# traps, square roots stay in loops.
+BITS     := -O2 -ffp-contract=off -fno-math-errno -fno-trapping-math
+WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wvla -Wimplicit-fallthrough -Wundef -Wno-psabi
+WARN_C   := -Wstrict-prototypes -Wmissing-prototypes
+CPPFLAGS := -Isrc -D_POSIX_C_SOURCE=200809L -MMD -MP
+# libraries' headers are not ours to warn about
+includes  = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I imgui 2>/dev/null))
+libraries = -lassimp -lcyaml -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -lm -ldl -lpthread
+
+SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*.cpp))
+HEADERS  := $(wildcard src/*/*.h)
+UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*.c)))
+SCENE   ?=
+
+.PHONY: all run test check bench format clean install programs tests packages-build packages-run \
+    packages-test packages-check headers
+.DELETE_ON_ERROR:
+
+all: packages-build
+	@$(MAKE) --no-print-directory -j$(JOBS) programs
+
+run: packages-build packages-run
+	@$(MAKE) --no-print-directory -j$(JOBS) programs
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then $(BUILD)/balloon $(SCENE); \
+	else echo "There is no display: 10 s of the scene go to out/"; \
+	    $(BUILD)/balloon render $(or $(SCENE),party) --seconds 10 --out out; fi
+
+test: packages-build packages-run packages-test
+	@$(MAKE) --no-print-directory -j$(JOBS) programs tests
+	@tests/run.sh $(BUILD)
+
+check: packages-build packages-run packages-test packages-check
+	@tests/format.sh
+	@tests/layers.sh
+	@$(MAKE) --no-print-directory -j$(JOBS) headers
+	@echo "gcc, warnings as errors"
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/gcc EXTRA=-Werror programs tests
+	@echo "clang, warnings as errors"
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ EXTRA=-Werror \
+	    programs tests
+	@tests/bits.sh build/gcc build/clang
+	@echo "sanitizers"
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/sanitized \
+	    EXTRA="-Werror -fsanitize=address,undefined -fno-sanitize-recover=all" programs tests
+	@ASAN_OPTIONS=suppressions=tests/asan.supp LSAN_OPTIONS=suppressions=tests/lsan.supp \
+	    tests/run.sh build/sanitized
+
+bench: packages-build
+	@$(MAKE) --no-print-directory -j$(JOBS) programs
+	@tests/bench.sh $(BUILD)
+
+format: packages-check
+	clang-format -i $(wildcard src/*.c src/*/*.[ch] src/*/*.cpp tests/unit/*.[ch])
+
+clean:
+	rm -rf build out
+
+install: all
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/share/balloon
+	install $(BUILD)/balloon $(BUILD)/balloon-double $(DESTDIR)$(PREFIX)/bin
+	cp -r assets shaders $(DESTDIR)$(PREFIX)/share/balloon
+
+# --- packages: exactly what is missing, with sudo when not root, and said ---------------------------
+
+define install_missing
+@if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then \
+    missing=""; for p in $(1); do \
+        dpkg-query -W -f='$${db:Status-Status}' $$p 2>/dev/null | grep -qx installed \
+            || missing="$$missing $$p"; done; \
+    if [ -n "$$missing" ]; then \
+        sudo=""; [ "$$(id -u)" = 0 ] || sudo="sudo"; \
+        echo "Installing$$missing ($${sudo:-as root})"; \
+        $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
+            $$sudo apt-get install -y -qq --no-install-recommends $$missing >/dev/null || { \
+            echo "Could not install:$$missing" >&2; exit 1; }; fi; \
+else \
+    missing=""; for l in $(2); do pkg-config --exists $$l 2>/dev/null || missing="$$missing $$l"; done; \
+    for c in $(3); do command -v $$c >/dev/null || missing="$$missing $$c"; done; \
+    if [ -n "$$missing" ]; then echo "This is no Debian; please install these first:$$missing" >&2; \
+        exit 1; fi; \
+fi
+endef
+
+packages-build:
+	$(call install_missing,$(BUILD_PACKAGES),$(LIBRARIES),gcc g++ pkg-config)
+packages-run:
+	$(call install_missing,$(RUN_PACKAGES),,ffmpeg)
+packages-test:
+	$(call install_missing,$(TEST_PACKAGES),cmocka,Xvfb xdotool import)
+packages-check:
+	$(call install_missing,$(CHECK_PACKAGES),,clang clang-format)
+
+# --- one set of rules for each precision -----------------------------------------------------------
+
+define precision # $(1): float or double, $(2): its program, $(3): its flag
+$(2)_objects := $$(patsubst src/%,$$(BUILD)/$(1)/%.o,$$(SOURCES))
+
+$$(BUILD)/$(1)/%.c.o: src/%.c
+	@mkdir -p $$(@D)
+	$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
+
+$$(BUILD)/$(1)/%.cpp.o: src/%.cpp
+	@mkdir -p $$(@D)
+	$$(CXX) -std=c++17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
+
+$$(BUILD)/$(1)/libballoon.a: $$($(2)_objects)
+	@rm -f $$@
+	$$(AR) rcs $$@ $$^
+
+$$(BUILD)/$(2): $$(BUILD)/$(1)/main.c.o $$(BUILD)/$(1)/libballoon.a
+	$$(CXX) $$(EXTRA) $$^ $$(libraries) -o $$@
+
+$$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
+	@mkdir -p $$(@D)
+	$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) -Itests/unit $$(includes) -c $$< -o $$@
+
+$$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
+	$$(CXX) $$(EXTRA) $$(link_flags) $$^ $$(libraries) -lcmocka -o $$@
+
+# one test counts what a step asks the allocator for
+$$(BUILD)/$(1)/tests/test_world: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)
+
+programs: $$(BUILD)/$(2)
+tests: $$(UNIT:%=$$(BUILD)/$(1)/tests/%)
+.SECONDARY: $$(UNIT:%=$$(BUILD)/$(1)/tests/%.o)
+endef
+
+$(eval $(call precision,float,balloon,))
+$(eval $(call precision,double,balloon-double,-DBALLOON_DOUBLE))
+
+# each header compiles alone, in both precisions
+headers: $(HEADERS:src/%=build/headers/%.ok)
+build/headers/%.ok: src/% $(HEADERS)
+	@mkdir -p $(@D)
+	@for flag in -DBALLOON_FLOAT -DBALLOON_DOUBLE; do \
+	    $(CC) -std=c17 $(WARN) -Werror $$flag -Isrc -D_POSIX_C_SOURCE=200809L -fsyntax-only -x c $< || exit 1; done
+	@touch $@
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,0 +1,34 @@
+/// The one scalar type of the state, so that precision is an axis of the chart.
+///
+/// src/ is compiled twice: `real` is float in build/balloon and double in build/balloon-double.
+/// State is computed with + - * / and square root only, which IEEE 754 rounds the same everywhere,
+/// so compilers and machines agree to the last bit. Reductions and time are double in both builds.
+#ifndef BALLOON_BASE_REAL_H
+#define BALLOON_BASE_REAL_H
+
+#include <float.h>
+#include <math.h>
+
+#ifdef BALLOON_DOUBLE
+typedef double real;
+#define REAL_NAME "double"
+#define REAL_EPSILON DBL_EPSILON
+#else
+typedef float real;
+#define REAL_NAME "float"
+#define REAL_EPSILON FLT_EPSILON
+#endif
+
+static inline real real_sqrt(real a) {
+#ifdef BALLOON_DOUBLE
+    return sqrt(a);
+#else
+    return sqrtf(a);
+#endif
+}
+
+static inline real real_max(real a, real b) {
+    return a > b ? a : b;
+}
+
+#endif

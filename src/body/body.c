@@ -1,0 +1,171 @@
+#include "body/body.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "mesh/measure.h"
+
+const char* const inflation_law_name[INFLATION_LAWS] = {"none", "area", "pressure", "gas"};
+
+void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass) {
+    const int count = mesh->point_count;
+    *body = (Body){
+        .mesh = mesh,
+        .count = count,
+        .scale = place->scale,
+        .x = new_array(real4, count),
+        .v = new_array(real4, count),
+        .f = new_array(real4, count),
+        .mass = new_array(real, count),
+        .inverse_mass = new_array(real, count),
+    };
+
+    const double angle = place->turn * (3.14159265358979323846 / 180);
+    const double c = cos(angle), s = sin(angle);
+    double4 low = {INFINITY, INFINITY, INFINITY, 0}, high = -low;
+    for (int i = 0; i < count; i++) {
+        const double4 p = place->scale * (mesh->point[i] - place->center);
+        const double4 turned = {c * p[0] + s * p[2], p[1], c * p[2] - s * p[0], 0};
+        const double4 x = place->position + turned;
+        body->x[i] = to_real4(x);
+        body->mass[i] = (real)mass;
+        body->inverse_mass[i] = (real)(1 / mass);
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], x[k]);
+            high[k] = fmax(high[k], x[k]);
+        }
+    }
+    const double4 side = high - low;
+    body->size = fmax(side[0], fmax(side[1], side[2]));
+}
+
+/// Largest (S_i/m_i + S_j/m_j): by Gershgorin on the edge form of K, whose eigenvalues are those of
+/// M^-1 K. Deformed springs are softer across than along, so it holds in every state.
+static double springs_bound(const Body* body) {
+    const Springs* springs = &body->springs;
+    double* sum = new_array(double, body->count);
+    for (int s = 0; s < springs->count; s++)
+        for (int k = 0; k < 2; k++) {
+            const int i = springs->end[s][k];
+            sum[i] += (double)springs->stiffness[s] * (double)body->inverse_mass[i];
+        }
+
+    double bound = 0;
+    for (int s = 0; s < springs->count; s++)
+        bound = fmax(bound, sum[springs->end[s][0]] + sum[springs->end[s][1]]);
+    free(sum);
+    return bound;
+}
+
+void body_add_springs(Body* body, const double stiffness[SPRING_KINDS], SpringLaw law) {
+    Springs* springs = &body->springs;
+    bool wanted[SPRING_KINDS];
+    for (int kind = 0; kind < SPRING_KINDS; kind++)
+        wanted[kind] = stiffness[kind] > 0;
+    springs->law = law;
+    springs_find(body->mesh, wanted, springs);
+
+    springs->stiffness = new_array(real, springs->count);
+    springs->rest = new_array(real, springs->count);
+    springs->active = new_array(real, springs->count);
+    for (int kind = 0; kind < SPRING_KINDS; kind++)
+        for (int s = springs->from[kind]; s < springs->from[kind + 1]; s++) {
+            const int* end = springs->end[s];
+            springs->rest[s] = length(body->x[end[0]] - body->x[end[1]]);
+            springs->stiffness[s] = springs->active[s] = (real)stiffness[kind];
+        }
+    springs->bound = springs_bound(body);
+}
+
+/// Each path's bend has a gradient of at most 1/a at p, 1/b at q and 1/a + 1/b at m, a and b the
+/// lengths of its two edges; row sums of M^-1 K over the paths bound its eigenvalues.
+static double torsion_bound(const Body* body) {
+    const Torsion* torsion = &body->torsion;
+    double* sum = new_array(double, body->count);
+    for (int t = 0; t < torsion->count; t++) {
+        const int* path = torsion->path[t];
+        const double a = (double)length(body->x[path[0]] - body->x[path[1]]);
+        const double b = (double)length(body->x[path[2]] - body->x[path[1]]);
+        const double slope[3] = {1 / a, 1 / a + 1 / b, 1 / b};
+        for (int k = 0; k < 3; k++)
+            sum[path[k]] += slope[k] * (slope[0] + slope[1] + slope[2]);
+    }
+
+    double bound = 0;
+    for (int i = 0; i < body->count; i++)
+        bound = fmax(bound, (double)torsion->stiffness * sum[i] * (double)body->inverse_mass[i]);
+    free(sum);
+    return bound;
+}
+
+void body_add_torsion(Body* body, double stiffness) {
+    Torsion* torsion = &body->torsion;
+    torsion_find(body->mesh, torsion);
+    torsion->stiffness = (real)stiffness;
+    torsion->rest = new_array(real, torsion->count);
+    for (int t = 0; t < torsion->count; t++) {
+        const int* path = torsion->path[t];
+        const real4 u = body->x[path[0]] - body->x[path[1]];
+        const real4 w = body->x[path[2]] - body->x[path[1]];
+        torsion->rest[t] = length(u / length(u) + w / length(w));
+    }
+    torsion->bound = torsion_bound(body);
+}
+
+void body_hold_rim(Body* body) {
+    for (int e = 0; e < body->mesh->edge_count; e++)
+        if (body->mesh->edge_face[e][1] == NONE)
+            for (int k = 0; k < 2; k++)
+                body->inverse_mass[body->mesh->edge[e][k]] = 0;
+}
+
+void body_inflate(Body* body, InflationLaw law, double amount, double ambient) {
+    body->inflation = (Inflation){
+        .law = law,
+        .amount = amount,
+        .ambient = ambient,
+        .first_volume = measure_volume(body->mesh, body->x),
+        .gradient = new_array(real4, body->count),
+    };
+}
+
+void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack) {
+    if (body->string_count == body->string_room) {
+        body->string_room = body->string_room ? 2 * body->string_room : 4;
+        String* more = new_array(String, body->string_room);
+        if (body->string_count)
+            memcpy(more, body->string, (size_t)body->string_count * sizeof *more);
+        free(body->string);
+        body->string = more;
+    }
+    const real4 end = to_real4((double4){anchor[0], anchor[1], anchor[2], 0});
+    body->string[body->string_count++] = (String){
+        .particle = particle,
+        .anchor = end,
+        .stiffness = (real)stiffness,
+        .free_length = (real)slack * length(body->x[particle] - end),
+    };
+}
+
+static void drift(real4* restrict x, const real4* restrict v, int count, real h) {
+    for (int i = 0; i < count; i++)
+        x[i] += h * v[i];
+}
+
+void body_drift(Body* body, double h) {
+    drift(body->x, body->v, body->count, (real)h);
+}
+
+void body_free(Body* body) {
+    springs_free(&body->springs);
+    torsion_free(&body->torsion);
+    free(body->inflation.gradient);
+    free(body->string);
+    free(body->x);
+    free(body->v);
+    free(body->f);
+    free(body->mass);
+    free(body->inverse_mass);
+    *body = (Body){0};
+}

@@ -1,0 +1,113 @@
+/// One balloon's state: particles on a mesh, and what its scene lists to act on them.
+///
+/// What a scene does not name is not stored: counts are 0 and arrays NULL. Positions and velocities
+/// are the state; everything else follows from the scene. `body` holds the data, `force/` acts.
+#ifndef BALLOON_BODY_BODY_H
+#define BALLOON_BODY_BODY_H
+
+#include "body/springs.h"
+#include "body/torsion.h"
+#include "mesh/mesh.h"
+
+/// The pressure on the skin; equations in force/inflation.c.
+typedef enum InflationLaw {
+    INFLATE_NONE,     ///< nothing is blown up
+    INFLATE_AREA,     ///< p = 100 amount / area, the mass-spring paper's
+    INFLATE_PRESSURE, ///< p = amount [Pa]
+    INFLATE_GAS,      ///< p = ambient (amount V0 / V - 1)
+    INFLATION_LAWS
+} InflationLaw;
+extern const char* const inflation_law_name[INFLATION_LAWS];
+
+typedef struct Inflation {
+    InflationLaw law;
+    double amount;       ///< area: k_normal [N]; pressure: [Pa]; gas: in units of what fills V0
+    double ambient;      ///< [Pa] gas only
+    double first_volume; ///< V0 [m^3], gas only
+    real4* gradient;     ///< [count] dV/dx of the last evaluation [m^2]
+} Inflation;
+
+/// Helium is an upward acceleration base + per_inflation * amount [m/s^2], times each mass.
+typedef struct Helium {
+    double base;
+    double per_inflation;
+} Helium;
+
+/// A force -(coefficient + rate m) v on each particle; a scene names one of the two.
+typedef struct Damping {
+    double coefficient; ///< c [kg/s]
+    double rate;        ///< [1/s]
+} Damping;
+
+/// From a particle to a fixed point. No force up to its free length, then stiffness times what
+/// exceeds it.
+typedef struct String {
+    int particle;
+    real4 anchor;     ///< [m]
+    real stiffness;   ///< [N/m]
+    real free_length; ///< [m]
+} String;
+
+typedef struct Body {
+    const Mesh* mesh;
+    int count;          ///< particles, one for each of the mesh's points, in its order
+    real4* x;           ///< [count] position [m]
+    real4* v;           ///< [count] velocity [m/s]
+    real4* f;           ///< [count] force of the last evaluation [N]
+    real* mass;         ///< [count] [kg]
+    real* inverse_mass; ///< [count] [1/kg], 0 holds a particle where it is
+    double size;        ///< longest side of the first bounding box [m]
+    double scale;       ///< first lengths over the mesh's [1]
+
+    double gravity; ///< [m/s^2] downward, 0: none
+    Springs springs;
+    Torsion torsion;
+    Inflation inflation;
+    Helium helium;
+    Damping damping;
+    String* string; ///< [string_room] the first string_count are tied
+    int string_count;
+    int string_room;
+} Body;
+
+/// Where a mesh's points go: x = position + turn(scale (point - center)).
+typedef struct Placement {
+    double4 center;
+    double scale;
+    double turn; ///< [degrees] about y
+    double4 position;
+} Placement;
+
+/// Particles of equal mass [kg] at the placed points of the mesh, at rest, with no forces.
+void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass);
+
+/// Give the body springs, with rest lengths from where its particles are now.
+/// stiffness: of each kind [N/m], 0 for kinds that do not exist.
+void body_add_springs(Body* body, const double stiffness[SPRING_KINDS], SpringLaw law);
+void body_add_torsion(Body* body, double stiffness);
+
+/// Hold the particles on the rim of an open mesh where they are. Call before body_add_springs.
+void body_hold_rim(Body* body);
+
+/// Begin to inflate under a law; the first volume is the present one.
+void body_inflate(Body* body, InflationLaw law, double amount, double ambient);
+
+/// Tie a string of `slack` times the present distance from a particle to a fixed point.
+void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack);
+
+/// x' = x + h v'.
+void body_drift(Body* body, double h);
+
+/// Damping force per velocity on a particle [kg/s].
+static inline double body_drag(const Body* body, int particle) {
+    return body->damping.coefficient + body->damping.rate * (double)body->mass[particle];
+}
+
+/// Upward acceleration of helium at the present amount [m/s^2].
+static inline double body_helium(const Body* body) {
+    return body->helium.base + body->helium.per_inflation * body->inflation.amount;
+}
+
+void body_free(Body* body);
+
+#endif

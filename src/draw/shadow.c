@@ -1,0 +1,200 @@
+#include "draw/shadow.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+// Towards the middle of the key light, over its height: shaders/studio.glsl has the same box.
+static const float KEY_X = -0.45f, KEY_Z = 0.35f;
+// Half-mass radius of a shadow over the height of what casts it: all of the sky, a soft box.
+static const float SKY_SPREAD = 1.0f, KEY_SPREAD = 0.28f;
+// How much of the floor's light each gives; together a contact shadow lets exp(-1.7) through.
+static const float SKY_SHARE = 0.8f, KEY_SHARE = 0.9f;
+// Part of the light of its own colour that rubber lets through.
+static const float THROUGH = 0.55f;
+// What a faint shape takes of what rubber takes.
+static const float FAINT = 0.35f;
+// Half-mass radius of one B-spline bump in spacings of its grid.
+static const float BUMP = 0.8f;
+// A large triangle is cast in pieces; more than these squared would not be seen.
+enum { PIECES = 12 };
+
+// What all pieces of one picture share.
+typedef struct Cast {
+    Shadow* shadow;
+    float corner_x, corner_z, floor;
+    float per_unit; // cells of the finest grid per world unit
+} Cast;
+
+static int side(int level) {
+    return (SHADOW_CELLS >> level) + 1;
+}
+
+Shadow shadow_open(void) {
+    Shadow shadow;
+    for (int k = 0; k < SHADOW_LEVELS; k++)
+        shadow.level[k] = new_array(float4, side(k) * side(k));
+    shadow.light = memory_array(SHADOW_SIDE * SHADOW_SIDE, sizeof shadow.light[0]);
+    return shadow;
+}
+
+void shadow_close(Shadow* shadow) {
+    for (int k = 0; k < SHADOW_LEVELS; k++)
+        free(shadow->level[k]);
+    free(shadow->light);
+    *shadow = (Shadow){0};
+}
+
+// Add to the four points around (x, z), in cells of the finest grid.
+static void drop(float4* grid, int level, float x, float z, float4 amount) {
+    const float scale = 1.0f / (float)(1 << level);
+    const float u = x * scale, v = z * scale;
+    const int n = side(level);
+    if (!(u >= 0 && v >= 0 && u < (float)(n - 1) && v < (float)(n - 1)))
+        return;
+
+    const int i = (int)u, j = (int)v;
+    const float a = u - (float)i, b = v - (float)j;
+    float4* at = grid + j * n + i;
+    amount *= scale * scale; // the same integral over larger cells
+    at[0] += (1 - a) * (1 - b) * amount;
+    at[1] += a * (1 - b) * amount;
+    at[n] += (1 - a) * b * amount;
+    at[n + 1] += a * b * amount;
+}
+
+// A bump of this half-mass radius [cells], shared between the two grids that fit it best.
+static void bump(const Cast* cast, float x, float z, float radius, float4 amount) {
+    const float fit = log2f(fmaxf(radius / BUMP, 1));
+    const int level = fit < SHADOW_LEVELS - 2 ? (int)fit : SHADOW_LEVELS - 2;
+    const float wider = fminf(fit - (float)level, 1);
+    drop(cast->shadow->level[level], level, x, z, (1 - wider) * amount);
+    drop(cast->shadow->level[level + 1], level + 1, x, z, wider * amount);
+}
+
+// A piece of surface at p; sky and key: the areas [square units] that it shows to them.
+static void piece(const Cast* cast, const float p[3], float sky, float key, float4 taken) {
+    const float height = fmaxf(p[1] - cast->floor, 0);
+    const float x = (p[0] - cast->corner_x) * cast->per_unit;
+    const float z = (p[2] - cast->corner_z) * cast->per_unit;
+    const float h = height * cast->per_unit, cells = cast->per_unit * cast->per_unit;
+
+    if (sky > 0)
+        bump(cast, x, z, SKY_SPREAD * h, SKY_SHARE * sky * cells * taken);
+    if (key > 0)
+        bump(cast, x - KEY_X * h, z - KEY_Z * h, KEY_SPREAD * h, KEY_SHARE * key * cells * taken);
+}
+
+static void triangle(const Cast* cast, const float* a, const float* b, const float* c,
+                     bool two_sided, float4 taken) {
+    const float u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const float v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+
+    // areas that face away from the lights, as thrown on the floor
+    const float nx = u[1] * v[2] - u[2] * v[1], ny = u[2] * v[0] - u[0] * v[2],
+                nz = u[0] * v[1] - u[1] * v[0];
+    float sky = -0.5f * ny, key = sky - 0.5f * (KEY_X * nx + KEY_Z * nz);
+    if (two_sided) {
+        sky = fabsf(sky);
+        key = fabsf(key);
+    }
+    if (!(sky > 0 || key > 0))
+        return;
+
+    // as many pieces as it takes for their bumps to overlap
+    const float wide = fmaxf(fmaxf(fabsf(u[0]), fabsf(u[2])), fmaxf(fabsf(v[0]), fabsf(v[2])));
+    const int n = 1 + (int)fminf(wide * cast->per_unit, PIECES - 1);
+    const float share = 1 / (float)(n * n), third = 1 / (3 * (float)n);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < 2 * (n - i) - 1; j++) {
+            // upright small triangles at even j, those on their tip between them at odd
+            const float s = (float)(3 * i + 1 + j % 2) * third;
+            const float t = (float)(3 * (j / 2) + 1 + j % 2) * third;
+            const float p[3] = {a[0] + s * u[0] + t * v[0], a[1] + s * u[1] + t * v[1],
+                                a[2] + s * u[2] + t * v[2]};
+            piece(cast, p, share * sky, share * key, taken);
+        }
+}
+
+static void skin(const Cast* cast, const PictureSkin* shape) {
+    float4 taken = {1, 1, 1, 0};
+    for (int i = 0; i < 3; i++)
+        taken[i] -= THROUGH * shape->color[i];
+    if (shape->paint == PAINT_FAINT)
+        taken *= FAINT;
+
+    for (int i = 0; i < shape->triangle_count; i++) {
+        const int* t = shape->triangle[i];
+        triangle(cast, shape->position[t[0]], shape->position[t[1]], shape->position[t[2]],
+                 shape->two_sided, taken);
+    }
+}
+
+// The lower half of a ball, in rings of pieces of equal area.
+static void ball(const Cast* cast, const PictureBall* shape) {
+    enum { RINGS = 5, SPOKES = 10 };
+    const float area = 3.14159265f * shape->radius * shape->radius / (RINGS * SPOKES);
+    for (int i = 0; i < RINGS; i++) {
+        const float square = ((float)i + 0.5f) / RINGS;
+        const float across = shape->radius * sqrtf(square);
+        const float below = shape->radius * sqrtf(1 - square);
+        for (int j = 0; j < SPOKES; j++) {
+            const float angle = 6.2831853f * ((float)j + 0.5f * (float)(i % 2)) / SPOKES;
+            const float p[3] = {shape->center[0] + across * cosf(angle), shape->center[1] - below,
+                                shape->center[2] + across * sinf(angle)};
+            piece(cast, p, area, area, (float4){1, 1, 1, 0});
+        }
+    }
+}
+
+// fine += coarse on a grid of half the spacing, by cubic B-spline subdivision: points that stay
+// take (1 6 1)/8 of themselves and their neighbours, points between two take half of each.
+static void widen(const float4* restrict coarse, int n, float4* restrict fine) {
+    const int m = 2 * n - 1;
+    for (int j = 0; j < m; j++) {
+        const float4* row[3] = {coarse + (j / 2 > 0 ? j / 2 - 1 : 0) * n, coarse + j / 2 * n,
+                                coarse + (j / 2 + 1 < n ? j / 2 + 1 : n - 1) * n};
+        const float below = j % 2 ? 0 : 0.125f, middle = j % 2 ? 0.5f : 0.75f,
+                    above = j % 2 ? 0.5f : 0.125f;
+        float4 left = {0}, here = {0};
+        for (int i = 0; i <= n; i++) {
+            const float4 right =
+                i < n ? below * row[0][i] + middle * row[1][i] + above * row[2][i] : (float4){0};
+            if (i > 0) {
+                fine[j * m + 2 * i - 2] += 0.125f * (left + 6 * here + right);
+                if (i < n)
+                    fine[j * m + 2 * i - 1] += 0.5f * (here + right);
+            }
+            left = here;
+            here = right;
+        }
+    }
+}
+
+void shadow_cast(Shadow* shadow, const Picture* picture) {
+    const float reach = shadow_reach(picture);
+    const Cast cast = {.shadow = shadow,
+                       .corner_x = picture->scene_center[0] - reach,
+                       .corner_z = picture->scene_center[2] - reach,
+                       .floor = picture->floor_height,
+                       .per_unit = 0.5f * SHADOW_CELLS / reach};
+
+    for (int k = 0; k < SHADOW_LEVELS; k++)
+        memset(shadow->level[k], 0, (size_t)(side(k) * side(k)) * sizeof(float4));
+    for (int i = 0; i < picture->skin_count; i++)
+        skin(&cast, &picture->skin[i]);
+    for (int i = 0; i < picture->ball_count; i++)
+        ball(&cast, &picture->ball[i]);
+
+    // from the widest to the finest
+    for (int k = SHADOW_LEVELS - 1; k > 0; k--)
+        widen(shadow->level[k], side(k), shadow->level[k - 1]);
+
+    // one layer of rubber after another: light falls off exponentially
+    const float4* depth = shadow->level[0];
+    for (int i = 0; i < SHADOW_SIDE * SHADOW_SIDE; i++)
+        for (int k = 0; k < 3; k++)
+            shadow->light[i][k] = (unsigned char)(255 * expf(-depth[i][k]) + 0.5f);
+}

@@ -1,0 +1,85 @@
+/// Structural, shear and flexion springs. With d the vector between a spring's ends, |d| its length
+/// and r = rest / |d|, the pull along d per length is
+///
+///     hooke    k (1 - r)              E = k (|d| - rest)^2 / 2
+///     rubber   k (1 - r^6) / 6        E = k/6 (|d|^2 / 2 + rest^2 r^4 / 4 - 3 rest^2 / 4)
+///
+/// rubber is the equibiaxial neo-Hookean law of a membrane, slope k at rest; in compression, where
+/// its tangent would grow without bound, it is Hooke's, so that the stability bound holds.
+/// Equal and opposite on the two ends: momentum is kept to the last bit but for rounding of sums.
+#include "force/force.h"
+
+static bool present(const Body* body) {
+    return body->springs.count > 0;
+}
+
+/// rest / length; a spring of no length pulls nowhere, for d is zero.
+static inline real ratio(real rest, real now) {
+    return now > 0 ? rest / now : 0;
+}
+
+static void add_hooke(const int (*restrict end)[2], const real* restrict stiffness,
+                      const real* restrict rest, int count, const real4* restrict x,
+                      real4* restrict f) {
+    for (int s = 0; s < count; s++) {
+        const int i = end[s][0], j = end[s][1];
+        const real4 d = x[j] - x[i];
+        const real r = ratio(rest[s], length(d));
+        const real4 pull = (stiffness[s] * (1 - r)) * d;
+        f[i] += pull;
+        f[j] -= pull;
+    }
+}
+
+static void add_rubber(const int (*restrict end)[2], const real* restrict stiffness,
+                       const real* restrict rest, int count, const real4* restrict x,
+                       real4* restrict f) {
+    for (int s = 0; s < count; s++) {
+        const int i = end[s][0], j = end[s][1];
+        const real4 d = x[j] - x[i];
+        const real r = ratio(rest[s], length(d));
+        const real r3 = r * r * r;
+        const real law = r < 1 ? (1 - r3 * r3) / 6 : 1 - r;
+        const real4 pull = (stiffness[s] * law) * d;
+        f[i] += pull;
+        f[j] -= pull;
+    }
+}
+
+static void add(Body* body) {
+    const Springs* s = &body->springs;
+    const int(*end)[2] = (const int(*)[2])s->end;
+    (s->law == LAW_HOOKE ? add_hooke : add_rubber)(end, s->active, s->rest, s->count, body->x,
+                                                   body->f);
+}
+
+static double energy(const Body* body) {
+    const Springs* springs = &body->springs;
+    double sum = 0;
+    for (int s = 0; s < springs->count; s++) {
+        const int* end = springs->end[s];
+        const double k = (double)springs->active[s], rest = (double)springs->rest[s];
+        const double now = dlength(to_double4(body->x[end[1]]) - to_double4(body->x[end[0]]));
+        if (springs->law == LAW_HOOKE || now <= rest) {
+            sum += 0.5 * k * (now - rest) * (now - rest);
+        } else {
+            const double r2 = rest * rest / (now * now);
+            sum += k / 6 * (now * now / 2 + rest * rest * (r2 * r2 / 4 - 0.75));
+        }
+    }
+    return sum;
+}
+
+static double bound(const Body* body) {
+    return body->springs.bound;
+}
+
+const Force force_springs = {
+    .name = "springs",
+    .about = "structural, shear and flexion springs, laws hooke and rubber",
+    .present = present,
+    .add = add,
+    .energy = energy,
+    .bound = bound,
+    .internal = true,
+};

@@ -1,0 +1,56 @@
+/// Strings: nothing up to the free length L, then E = k (d - L)^2 / 2 with d the distance from
+/// particle to anchor, so the tension k (d - L) starts from zero and does not chatter.
+#include "force/force.h"
+#include "force/strings.h"
+
+static bool present(const Body* body) {
+    return body->string_count > 0;
+}
+
+/// Length over the free length [m], 0 while slack.
+static real excess(const Body* body, const String* string) {
+    return real_max(length(body->x[string->particle] - string->anchor) - string->free_length, 0);
+}
+
+double string_tension(const Body* body, int string) {
+    const String* s = &body->string[string];
+    return (double)(s->stiffness * excess(body, s));
+}
+
+static void add(Body* body) {
+    for (int k = 0; k < body->string_count; k++) {
+        const String* s = &body->string[k];
+        const real over = excess(body, s);
+        if (over <= 0)
+            continue;
+        const real4 d = s->anchor - body->x[s->particle];
+        body->f[s->particle] += (s->stiffness * over / length(d)) * d;
+    }
+}
+
+static double energy(const Body* body) {
+    double sum = 0;
+    for (int k = 0; k < body->string_count; k++) {
+        const double over = (double)excess(body, &body->string[k]);
+        sum += 0.5 * (double)body->string[k].stiffness * over * over;
+    }
+    return sum;
+}
+
+/// Several strings at one particle add up, so the sum over all bounds the largest.
+static double bound(const Body* body) {
+    double sum = 0;
+    for (int k = 0; k < body->string_count; k++)
+        sum += (double)body->string[k].stiffness *
+               (double)body->inverse_mass[body->string[k].particle];
+    return sum;
+}
+
+const Force force_strings = {
+    .name = "strings",
+    .about = "tethers, stiffness times what exceeds the free length",
+    .present = present,
+    .add = add,
+    .energy = energy,
+    .bound = bound,
+};

@@ -1,0 +1,10 @@
+/// What a string can be asked.
+#ifndef BALLOON_FORCE_STRINGS_H
+#define BALLOON_FORCE_STRINGS_H
+
+#include "body/body.h"
+
+/// Tension of string number `string` at the present positions [N].
+double string_tension(const Body* body, int string);
+
+#endif

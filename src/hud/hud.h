@@ -1,0 +1,26 @@
+/// The overlay: draws a Panel with Dear ImGui on the framebuffer that is bound, the same in the
+/// window and headless. C face of the C++ shim in hud.cpp.
+#ifndef BALLOON_HUD_HUD_H
+#define BALLOON_HUD_HUD_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "base/fault.h"
+#include "view/panel.h"
+
+/// A GL context must be current. scale: 1 for a plain screen, 2 for a high-density one,
+/// rounded to a whole number.
+bool hud_open(float scale, Fault* fault);
+
+/// Draw the panel over a framebuffer of this size.
+void hud_draw(const Panel* panel, int width, int height);
+
+void hud_close(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

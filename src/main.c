@@ -1,0 +1,354 @@
+/// Reads the command line, calls one verb, prints the one fault.
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "force/force.h"
+#include "mesh/load.h"
+#include "mesh/shape.h"
+#include "show/show.h"
+#include "show/keys.h"
+#include "show/run.h"
+#include "view/mode.h"
+#include "world/place.h"
+#include "world/world.h"
+
+#define VERSION "0.1.0"
+enum { SETS_MOST = 64, EXIT_USAGE = 2 };
+
+/// Everything that the command line can say.
+typedef struct Options {
+    const char* target; ///< scene or mesh
+    const char* seconds;
+    const char* fps;
+    const char* size;
+    const char* out;
+    const char* input;
+    const char* record;
+    const char* csv;
+    const char* obj;
+    const char* mode;
+    bool hash, time, quiet, overlay;
+    SceneSet set[SETS_MOST];
+    int set_count;
+    char typed[SETS_MOST][256]; ///< texts of the sets that options such as --step stand for
+} Options;
+
+/// One option: it fills a text or a flag, or stands for `--set key=VALUE`.
+typedef struct Option {
+    const char* name;
+    const char* value; ///< what its value is called, NULL for a flag
+    const char* about;
+    size_t text;     ///< offset of a const char* in Options
+    size_t flag;     ///< offset of a bool in Options
+    const char* key; ///< the scene's key that it sets
+} Option;
+
+#define TEXT(field) .text = offsetof(Options, field)
+#define FLAG(field) .flag = offsetof(Options, field)
+
+// clang-format off
+static const Option option_table[] = {
+    {"--seconds",   "T",        "simulated time; default: the scene's, or 10",     TEXT(seconds)},
+    {"--fps",       "N",        "frames or CSV rows per simulated second; 60",     TEXT(fps)},
+    {"--size",      "WxH",      "of the pictures; 1280x720",                       TEXT(size)},
+    {"--out",       "PATH",     "render: a folder for frames, or a .png, .mp4, .webm, .gif; out", TEXT(out)},
+    {"--mode",      "NAME",     "display mode; see balloon list",                  TEXT(mode)},
+    {"--overlay",   NULL,       "render: pictures with the status box",            FLAG(overlay)},
+    {"--input",     "FILE",     "replay an input log",                             TEXT(input)},
+    {"--record",    "FILE",     "write the session's input log",                   TEXT(record)},
+    {"--csv",       "FILE",     "numbers, one row a frame; - for standard output", TEXT(csv)},
+    {"--obj",       "FILE",     "the skins at the end",                            TEXT(obj)},
+    {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
+    {"--time",      NULL,       "print the CPU time of stepping alone",            FLAG(time)},
+    {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
+    {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
+    {"--step",      "S",        "length of a step [s]",                            .key = "step"},
+    {"--guard",     "split|stop|off", "what to do with a step that is too long",   .key = "guard"},
+    {"--precision", "float|double",   "of the state",                              .key = "precision"},
+    {"--set",       "KEY=VALUE", "any key of the scene, as in balloons.0.inflation.amount=10", .key = ""},
+};
+enum { OPTIONS = sizeof option_table / sizeof *option_table };
+
+typedef struct Verb {
+    const char* name;
+    const char* target; ///< what it wants, NULL for nothing
+    const char* about;
+    bool (*call)(const Options* options, Fault* fault);
+} Verb;
+// clang-format on
+
+static bool number(const char* text, const char* option, double given, double* value,
+                   Fault* fault) {
+    char* end;
+    *value = text ? strtod(text, &end) : given;
+    if (text && (end == text || *end || !isfinite(*value) || *value <= 0))
+        return fault_set(fault, option, "'%s' is not a number above 0", text);
+    return true;
+}
+
+/// Read the scene and open its world, in the precision that it asks for.
+static bool open_world(const Options* options, World* world, char** argv, Fault* fault) {
+    WorldDef def;
+    const char* target = options->target ? options->target : "party";
+    if (!scene_load(target, options->set, options->set_count, &def, fault))
+        return false;
+
+    // the other precision is another program; it reads the same command line again
+    const bool is_double = sizeof(real) == sizeof(double);
+    if (def.precision != PRECISION_ANY && (def.precision == PRECISION_DOUBLE) != is_double) {
+        char path[512];
+        scene_free(&def);
+        if (!place_sibling(is_double ? "balloon" : "balloon-double", path, fault))
+            return false;
+        execv(path, argv);
+        return fault_set(fault, path, "cannot be started: %s", strerror(errno));
+    }
+    return world_open(world, &def, fault);
+}
+
+static char** arguments; ///< as main got them, for a hand-over to the other precision
+
+static bool show_options(const Options* options, const World* world, ShowOptions* show,
+                         Fault* fault) {
+    *show = show_options_default();
+    show->out = options->out ? options->out : "out";
+    show->input = options->input;
+    show->record = options->record;
+    show->mode = options->mode;
+    show->quiet = options->quiet;
+    show->overlay = options->overlay;
+    if (options->size &&
+        (sscanf(options->size, "%dx%d", &show->width, &show->height) != 2 || show->width < 16 ||
+         show->height < 16 || show->width > 16384 || show->height > 16384))
+        return fault_set(fault, "--size", "'%s' is not a size such as 1280x720", options->size);
+    const double given = world->def.seconds > 0 ? world->def.seconds : 10;
+    return number(options->seconds, "--seconds", given, &show->seconds, fault) &&
+           number(options->fps, "--fps", 60, &show->fps, fault);
+}
+
+static void print_hash(const World* world) {
+    printf("%016llx\n", (unsigned long long)world_hash(world));
+}
+
+static bool verb_play(const Options* options, Fault* fault) {
+    World world;
+    ShowOptions show;
+    if (!open_world(options, &world, arguments, fault))
+        return false;
+    bool good = show_options(options, &world, &show, fault);
+    show.overlay = true;
+    if (!options->seconds) // a window stays open
+        show.seconds = 0;
+    good = good && show_play(&world, &show, fault);
+    if (good && options->hash)
+        print_hash(&world);
+    world_close(&world);
+    return good;
+}
+
+static bool verb_render(const Options* options, Fault* fault) {
+    World world;
+    ShowOptions show;
+    if (!open_world(options, &world, arguments, fault))
+        return false;
+    const bool good =
+        show_options(options, &world, &show, fault) && show_render(&world, &show, fault);
+    if (good && options->hash)
+        print_hash(&world);
+    world_close(&world);
+    return good;
+}
+
+static bool verb_run(const Options* options, Fault* fault) {
+    World world;
+    RunOptions run_options = {.csv = options->csv,
+                              .obj = options->obj,
+                              .input = options->input,
+                              .record = options->record,
+                              .time = options->time,
+                              .quiet = options->quiet};
+    if (!open_world(options, &world, arguments, fault))
+        return false;
+    const double given = world.def.seconds > 0 ? world.def.seconds : 10;
+    const bool good = number(options->seconds, "--seconds", given, &run_options.seconds, fault) &&
+                      number(options->fps, "--fps", 60, &run_options.fps, fault) &&
+                      run(&world, &run_options, fault);
+    if (good && options->hash)
+        print_hash(&world);
+    world_close(&world);
+    return good;
+}
+
+static bool verb_check(const Options* options, Fault* fault) {
+    Mesh mesh = {0};
+    MeshReport report = {0};
+    char path[512];
+    const WorldDef nowhere = {0};
+    if (!options->target)
+        return fault_set(fault, NULL, "check which mesh? See balloon --help");
+    if (!scene_model_path(&nowhere, options->target, path, fault))
+        return false;
+    const bool good = mesh_load(path, &mesh, &report, fault);
+    if (good || report.unusable.text[0])
+        doctor_print(&report, stdout);
+    if (!good)
+        return false;
+
+    const bool all[SPRING_KINDS] = {true, true, true};
+    Springs springs = {0};
+    springs_find(&mesh, all, &springs);
+    for (int kind = 0; kind < SPRING_KINDS; kind++)
+        printf("%s springs: %d\n", spring_kind_name[kind],
+               springs.from[kind + 1] - springs.from[kind]);
+    springs_free(&springs);
+    mesh_free(&mesh);
+    return true;
+}
+
+static bool verb_list(const Options* options, Fault* fault) {
+    (void)options;
+    (void)fault;
+    char** path;
+    const int scenes = scene_list(&path);
+    puts("scenes (assets/scenes)");
+    for (int k = 0; k < scenes; k++) {
+        WorldDef def;
+        Fault bad = {0};
+        const bool good = scene_load(path[k], NULL, 0, &def, &bad);
+        char name[256];
+        scene_name(path[k], name);
+        printf("  %-22s %s\n", name, !good ? bad.text : def.title ? def.title : "");
+        if (good)
+            scene_free(&def);
+        free(path[k]);
+    }
+    free(path);
+    puts("models that the program makes itself");
+    for (int k = 0; k < shape_count; k++)
+        printf("  %-22s %s\n", shape_table[k].name, shape_table[k].about);
+    puts("forces");
+    for (int k = 0; k < force_count; k++)
+        printf("  %-22s %s\n", force_table[k]->name, force_table[k]->about);
+    puts("methods");
+    for (int k = 0; k < method_count; k++)
+        printf("  %-22s %s\n", method_table[k]->name, method_table[k]->about);
+    puts("display modes");
+    for (int k = 0; k < mode_count; k++)
+        printf("  %-22s %s\n", mode_table[k]->name, mode_table[k]->about);
+    return true;
+}
+
+// clang-format off
+static const Verb verb_table[] = {
+    {"play",   "[SCENE|MESH]", "open a window and play; the verb may be left out", verb_play},
+    {"render", "SCENE|MESH",   "headless frames or a film",                        verb_render},
+    {"run",    "SCENE|MESH",   "simulate only, no drawing",                        verb_run},
+    {"check",  "MESH",         "the mesh doctor; exit 1 if it is unusable",        verb_check},
+    {"list",   "",             "scenes, shapes, forces, methods, display modes",   verb_list},
+};
+enum { VERBS = sizeof verb_table / sizeof *verb_table };
+// clang-format on
+
+static void print_help(void) {
+    puts("balloon: any quad mesh becomes a rubber balloon\n");
+    for (int k = 0; k < VERBS; k++)
+        printf("  balloon %-6s %-13s %s\n", verb_table[k].name, verb_table[k].target,
+               verb_table[k].about);
+    puts("\noptions");
+    for (int k = 0; k < OPTIONS; k++)
+        printf("  %-11s %-14s  %s\n", option_table[k].name,
+               option_table[k].value ? option_table[k].value : "", option_table[k].about);
+    puts("  --help, --version\n\nkeys");
+    keys_print(stdout);
+}
+
+static bool take_option(Options* options, const Option* option, const char* value, Fault* fault) {
+    if (option->key) {
+        if (options->set_count == SETS_MOST)
+            return fault_set(fault, option->name, "at most %d of these", SETS_MOST);
+        char* typed = options->typed[options->set_count];
+        const char* text = value;
+        if (option->key[0]) {
+            snprintf(typed, sizeof *options->typed, "%s=%s", option->key, value);
+            text = typed;
+        }
+        options->set[options->set_count++].text = text;
+    } else if (option->value) {
+        *(const char**)((char*)options + option->text) = value;
+    } else {
+        *(bool*)((char*)options + option->flag) = true;
+    }
+    return true;
+}
+
+static const Option* find_option(const char* name, size_t length) {
+    for (int k = 0; k < OPTIONS; k++)
+        if (strlen(option_table[k].name) == length &&
+            strncmp(option_table[k].name, name, length) == 0)
+            return &option_table[k];
+    return NULL;
+}
+
+/// Options in any place, "--key value" or "--key=value"; the words left are verb and target.
+static bool read_arguments(int argc, char** argv, Options* options, const Verb** verb,
+                           Fault* fault) {
+    *verb = &verb_table[0];
+    bool verb_said = false;
+    for (int a = 1; a < argc; a++) {
+        const char* word = argv[a];
+        if (strncmp(word, "--", 2) == 0) {
+            const char* equals = strchr(word, '=');
+            const size_t length = equals ? (size_t)(equals - word) : strlen(word);
+            const Option* option = find_option(word, length);
+            if (!option)
+                return fault_set(fault, word, "no such option; see balloon --help");
+            if (option->value && !equals && a + 1 == argc)
+                return fault_set(fault, word, "needs a value: %s", option->value);
+            if (!option->value && equals)
+                return fault_set(fault, word, "takes no value");
+            const char* value = !option->value ? NULL : equals ? equals + 1 : argv[++a];
+            if (!take_option(options, option, value, fault))
+                return false;
+            continue;
+        }
+        bool is_verb = false;
+        for (int k = 0; !verb_said && !options->target && k < VERBS; k++)
+            if (strcmp(verb_table[k].name, word) == 0) {
+                *verb = &verb_table[k];
+                is_verb = verb_said = true;
+            }
+        if (!is_verb && options->target)
+            return fault_set(fault, word, "only one scene or mesh at a time");
+        if (!is_verb)
+            options->target = word;
+    }
+    return true;
+}
+
+int main(int argc, char** argv) {
+    for (int a = 1; a < argc; a++) {
+        if (strcmp(argv[a], "--help") == 0) {
+            print_help();
+            return EXIT_SUCCESS;
+        }
+        if (strcmp(argv[a], "--version") == 0) {
+            printf("balloon %s, state of %s\n", VERSION, REAL_NAME);
+            return EXIT_SUCCESS;
+        }
+    }
+
+    arguments = argv;
+    Options options = {0};
+    const Verb* verb;
+    Fault fault = {0};
+    if (!read_arguments(argc, argv, &options, &verb, &fault)) {
+        fault_print(&fault, stderr);
+        return EXIT_USAGE;
+    }
+    if (verb->call(&options, &fault))
+        return EXIT_SUCCESS;
+    fault_print(&fault, stderr);
+    return EXIT_FAILURE;
+}

@@ -1,0 +1,23 @@
+#include "mesh/source.h"
+
+#include <stdlib.h>
+
+#include "base/memory.h"
+
+void source_make(MeshSource* source, const char* name, int point_count, int face_count) {
+    *source = (MeshSource){
+        .name = name,
+        .point_count = point_count,
+        .face_count = face_count,
+        .point = new_array(double4, point_count),
+        .face = new_array(int[4], face_count),
+    };
+}
+
+void source_free(MeshSource* source) {
+    free(source->point);
+    free(source->face);
+    free(source->point_line);
+    free(source->face_line);
+    *source = (MeshSource){0};
+}

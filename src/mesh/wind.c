@@ -1,0 +1,138 @@
+#include "mesh/wind.h"
+
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "mesh/facet.h"
+
+enum { UNKNOWN = -1, KEPT = 0, TURNED = 1 };
+
+/// Below this share of area^(3/2) a volume is rounding, as that of two flat sheets is. [1]
+static const double VOLUME_LEAST = 1e-12;
+
+typedef struct Flood {
+    const MeshSource* source;
+    const Edges* edges;
+    signed char* way; ///< [face_count] UNKNOWN, KEPT or TURNED
+    int* queue;       ///< [face_count] the faces of component after component
+    Winding winding;
+} Flood;
+
+/// The side that shares side s's edge, NONE at a rim or where more than two faces meet.
+static int other_side(const Edges* edges, int s) {
+    const int e = edges->of_side[s];
+    if (edges->sides[e] != 2)
+        return NONE;
+    return edges->side[e][0] == s ? edges->side[e][1] : edges->side[e][0];
+}
+
+/// Visit all faces that hang together with queue[from]; returns where they end in the queue.
+static int flood(Flood* flood, int from) {
+    const int(*face)[4] = (const int(*)[4])flood->source->face;
+    int end = from + 1;
+    for (int head = from; head < end; head++) {
+        const int f = flood->queue[head];
+        for (int s = 4 * f; s < 4 * f + face_corners(face[f]); s++) {
+            const int t = other_side(flood->edges, s);
+            if (t == NONE)
+                continue;
+            // neighbours that are wound alike run along their edge in opposite directions
+            const bool alike = side_start(face, s) == side_end(face, t);
+            const signed char way = alike ? flood->way[f] : (signed char)(1 - flood->way[f]);
+            const int g = t / 4;
+            if (flood->way[g] == UNKNOWN) {
+                flood->way[g] = way;
+                flood->queue[end++] = g;
+            } else if (flood->way[g] != way && flood->winding.clash[0] == NONE) {
+                flood->winding.clash[0] = f;
+                flood->winding.clash[1] = g;
+            }
+        }
+    }
+    return end;
+}
+
+static int count_turned(const Flood* flood, int from, int end) {
+    int count = 0;
+    for (int i = from; i < end; i++)
+        count += flood->way[flood->queue[i]] == TURNED;
+    return count;
+}
+
+static void turn_all(Flood* flood, int from, int end) {
+    for (int i = from; i < end; i++)
+        flood->way[flood->queue[i]] = (signed char)(1 - flood->way[flood->queue[i]]);
+}
+
+static bool is_closed(const Flood* flood, int from, int end) {
+    for (int i = from; i < end; i++) {
+        const int f = flood->queue[i];
+        for (int s = 4 * f; s < 4 * f + face_corners(flood->source->face[f]); s++)
+            if (flood->edges->sides[flood->edges->of_side[s]] != 2)
+                return false;
+    }
+    return true;
+}
+
+/// Whether the component encloses a volume that is negative beyond rounding.
+static bool is_inside_out(const Flood* flood, int from, int end) {
+    const MeshSource* source = flood->source;
+    const double4 origin = source->point[source->face[flood->queue[from]][0]];
+    double volume = 0;
+    double area = 0;
+    for (int i = from; i < end; i++) {
+        const int f = flood->queue[i];
+        const Facet facet = facet_of(source->point, source->face[f]);
+        const double part = facet_volume(&facet, origin);
+        volume += flood->way[f] == TURNED ? -part : part;
+        area += dlength(facet_area(&facet));
+    }
+    return volume < -VOLUME_LEAST * area * sqrt(area);
+}
+
+/// Turn the face over; its first corner stays the first.
+static void turn(int face[4]) {
+    const int last = face_corners(face) - 1;
+    const int swap = face[1];
+    face[1] = face[last];
+    face[last] = swap;
+}
+
+Winding wind_faces(MeshSource* source, const Edges* edges) {
+    const int count = source->face_count;
+    Flood state = {
+        .source = source,
+        .edges = edges,
+        .way = new_array(signed char, count),
+        .queue = new_array(int, count),
+        .winding = {.clash = {NONE, NONE}},
+    };
+    for (int f = 0; f < count; f++)
+        state.way[f] = UNKNOWN;
+
+    int from = 0;
+    for (int f = 0; f < count; f++) {
+        if (state.way[f] != UNKNOWN)
+            continue;
+        state.way[f] = KEPT;
+        state.queue[from] = f;
+        const int end = flood(&state, from);
+        state.winding.components++;
+
+        // fewest flips first; outward goes before it
+        if (2 * count_turned(&state, from, end) > end - from)
+            turn_all(&state, from, end);
+        if (is_closed(&state, from, end) && is_inside_out(&state, from, end))
+            turn_all(&state, from, end);
+        from = end;
+    }
+
+    for (int f = 0; f < count; f++) {
+        if (state.way[f] == TURNED)
+            turn(source->face[f]);
+        state.winding.flipped += state.way[f] == TURNED;
+    }
+    free(state.way);
+    free(state.queue);
+    return state.winding;
+}

@@ -1,0 +1,173 @@
+#include "show/app.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "hud/hud.h"
+#include "show/keys.h"
+#include "show/png.h"
+#include "view/framing.h"
+#include "world/place.h"
+
+static const double MESSAGE_SECONDS = 5;
+enum { SCREENSHOTS_MOST = 9999 };
+
+void app_say(App* app, const char* format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(app->message, sizeof app->message, format, arguments);
+    va_end(arguments);
+    app->message_left = MESSAGE_SECONDS;
+}
+
+/// The mode that a scene begins with, or NULL with a fault.
+static const Mode* mode_of(const WorldDef* def, Fault* fault) {
+    const Mode* mode = def->show ? mode_find(def->show) : &mode_skin;
+    if (!mode)
+        fault_set(fault, def->file, "show: no display mode '%s'; there are %s", def->show,
+                  mode_names());
+    return mode;
+}
+
+void app_look(App* app) {
+    const Pacer before = app->pacer;
+    app->pacer = pacer_make(app->world->step, before.most);
+    app->pacer.slow = before.slow;
+    app->pacer.paused = before.paused;
+    app->camera = framing_first(app->world);
+    picture_open(&app->picture, app->world);
+}
+
+// ---- other scenes ----
+
+/// What tells a scene from another: its path below assets/scenes, or its last word elsewhere.
+static const char* scene_word(const char* path) {
+    const char* folder = strstr(path, "assets/scenes/");
+    const char* slash = strrchr(path, '/');
+    return folder ? folder : slash ? slash + 1 : path;
+}
+
+static int scene_index(char* const* path, int count, const char* file) {
+    for (int k = 0; k < count; k++)
+        if (strcmp(scene_word(path[k]), scene_word(file)) == 0)
+            return k;
+    return -1;
+}
+
+static bool open_scene(App* app, const char* path, Fault* fault) {
+    WorldDef def;
+    World next;
+    if (!scene_load(path, NULL, 0, &def, fault))
+        return false;
+    const Mode* mode = mode_of(&def, fault);
+    if (!mode) {
+        scene_free(&def);
+        return false;
+    }
+    if (!world_open(&next, &def, fault))
+        return false;
+
+    // the picture points into the world that goes
+    picture_close(&app->picture);
+    app->mode = mode;
+    const bool logged = session_change(&app->session, &next, fault);
+    app_look(app);
+    return logged;
+}
+
+void app_go(App* app, int direction) {
+    char** path;
+    const int count = scene_list(&path);
+    const int here = scene_index(path, count, app->world->def.file);
+    const int from = here < 0 && direction < 0 ? count : here;
+    Fault fault = {0};
+    if (count > 0 && !open_scene(app, path[(from + direction + count) % count], &fault))
+        app_say(app, "%s: %s", fault.place, fault.text);
+
+    for (int k = 0; k < count; k++)
+        free(path[k]);
+    free(path);
+}
+
+// ---- screenshots ----
+
+static bool free_name(const char* folder, char file[600]) {
+    for (int number = 1; number <= SCREENSHOTS_MOST; number++) {
+        snprintf(file, 600, "%s%sballoon-%04d.png", folder ? folder : "", folder ? "/" : "",
+                 number);
+        if (access(file, F_OK) != 0)
+            return true;
+    }
+    return false;
+}
+
+void app_screenshot(App* app) {
+    app->screenshot = false;
+    char file[600];
+    if (!free_name(app->options->screenshots, file)) {
+        app_say(app, "there are %d screenshots here already", SCREENSHOTS_MOST);
+        return;
+    }
+    unsigned char* rgb = new_array(unsigned char, 3 * (size_t)app->width * (size_t)app->height);
+    renderer_read(app->renderer, rgb);
+    Fault fault = {0};
+    if (png_write_rgb(file, rgb, app->width, app->height, &fault))
+        app_say(app, "%s", file);
+    else
+        app_say(app, "%s: %s", fault.place, fault.text);
+    free(rgb);
+}
+
+// ---- opening and closing ----
+
+static void list_keys(Panel* panel) {
+    panel->key_count = 0;
+    for (int k = 0; k < keys_count() && k < PANEL_KEYS; k++)
+        panel->key[panel->key_count++] = keys_row(k);
+}
+
+static const Mode* first_mode(const App* app, Fault* fault) {
+    const char* name = app->options->mode;
+    if (!name)
+        return mode_of(&app->world->def, fault);
+    if (!mode_find(name))
+        fault_set(fault, name, "no such display mode; there are %s", mode_names());
+    return mode_find(name);
+}
+
+static bool open_renderer(App* app, Fault* fault) {
+    char shaders[512];
+    if (!place_own("shaders", "frame.glsl", shaders, fault))
+        return false;
+    *strrchr(shaders, '/') = 0;
+    return renderer_open(&app->renderer, app->width, app->height, shaders, fault);
+}
+
+bool app_begin(App* app, World* world, Fault* fault) {
+    const ShowOptions* options = app->options;
+    app->world = world;
+    app->mode = first_mode(app, fault);
+    return app->mode && session_open(&app->session, world, options->input, options->record, fault);
+}
+
+bool app_open(App* app, Fault* fault) {
+    const ShowOptions* options = app->options;
+    app->width = options->width;
+    app->height = options->height;
+    app->panel.shown = options->overlay;
+    list_keys(&app->panel);
+    app_look(app);
+    return open_renderer(app, fault);
+}
+
+bool app_close(App* app, bool whole, Fault* fault) {
+    if (app->scale > 0)
+        hud_close();
+    renderer_close(app->renderer);
+    picture_close(&app->picture);
+    session_close(&app->session);
+    return app->output.close(app->output.self, whole, fault);
+}

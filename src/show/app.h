@@ -1,0 +1,64 @@
+/// What the main loop works on: a session, how it is seen, and where the pictures go.
+#ifndef BALLOON_SHOW_APP_H
+#define BALLOON_SHOW_APP_H
+
+#include "show/output.h"
+#include "show/pacer.h"
+#include "show/session.h"
+#include "show/show.h"
+#include "view/mode.h"
+#include "view/panel.h"
+#include "view/picture.h"
+
+typedef struct App {
+    const ShowOptions* options;
+    Session session;
+    World* world; ///< the caller's, which the session steps
+    Pacer pacer;
+    long last; ///< it ends when world->clock reads this; LONG_MAX: it does not
+
+    const Mode* mode;
+    Camera camera;
+    Picture picture;
+    Panel panel;
+    char message[512];   ///< a sentence for the user
+    double message_left; ///< how long it stays [s]
+
+    Output output;
+    Renderer* renderer;
+    int width;       ///< of the renderer's picture [px]
+    int height;      ///< [px]
+    float scale;     ///< of the overlay that is open; 0: none
+    bool screenshot; ///< the next picture is to be written
+    bool quit;
+} App;
+
+/// Begin with options, pacer and last set: the display mode and the logs. False when they are
+/// wrong, and then nothing is open.
+bool app_begin(App* app, World* world, Fault* fault);
+
+/// Go on once the output is open: shaders, camera, picture. False when a shader is wrong; app_close
+/// is due all the same.
+bool app_open(App* app, Fault* fault);
+
+/// The main loop (show/loop.c), until the output ends or the user quits.
+bool app_run(App* app, Fault* fault);
+
+/// Close all that is open. `whole`: all went well, and the output is to be completed. The world
+/// stays.
+bool app_close(App* app, bool whole, Fault* fault);
+
+/// Camera, pacer and picture for the world that is open now. The speed stays.
+void app_look(App* app);
+
+/// Go on to the scene `direction` places further in the list of shipped scenes. One that does not
+/// load says why, and the present one stays.
+void app_go(App* app, int direction);
+
+/// Write the renderer's picture under the next free name, and say which.
+void app_screenshot(App* app);
+
+/// Say a sentence in the overlay for a few seconds.
+void app_say(App* app, const char* format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

@@ -1,0 +1,114 @@
+#include "show/keys.h"
+
+#include <string.h>
+
+#include "show/app.h"
+#include "view/framing.h"
+#include "world/command.h"
+
+static void run_or_pause(App* app) {
+    app->pacer.paused = !app->pacer.paused;
+}
+
+static void single_step(App* app) {
+    app->pacer.paused = true;
+    app->pacer.single++;
+}
+
+static void slower(App* app) {
+    pacer_slower(&app->pacer);
+}
+
+static void faster(App* app) {
+    pacer_faster(&app->pacer);
+}
+
+static void next_mode(App* app) {
+    app->mode = mode_after(app->mode);
+    app_say(app, "%s: %s", app->mode->name, app->mode->about);
+}
+
+static void next_scene(App* app) {
+    app_go(app, 1);
+}
+
+static void previous_scene(App* app) {
+    app_go(app, -1);
+}
+
+static void frame_all(App* app) {
+    const Camera before = app->camera;
+    app->camera = framing_all(app->world);
+    app->camera.yaw = before.yaw;
+    app->camera.pitch = before.pitch;
+}
+
+static void overlay(App* app) {
+    app->panel.shown = !app->panel.shown;
+}
+
+static void help(App* app) {
+    app->panel.help_shown = !app->panel.help_shown;
+}
+
+static void full_screen(App* app) {
+    if (app->output.full_screen)
+        app->output.full_screen(app->output.self);
+}
+
+static void screenshot(App* app) {
+    app->screenshot = true;
+}
+
+static void quit(App* app) {
+    app->quit = true;
+}
+
+// clang-format off
+const ViewKey view_key_table[] = {
+    {"space",     "run or pause",                             run_or_pause},
+    {".",         "pause and make a single step",             single_step},
+    {"left",      "slower: 1/2, 1/4, 1/8, 1/16",              slower},
+    {"right",     "faster, up to real time",                  faster},
+    {"m",         "next display mode",                        next_mode},
+    {"page down", "next scene",                               next_scene},
+    {"page up",   "previous scene",                           previous_scene},
+    {"f",         "bring everything into sight",              frame_all},
+    {"o",         "show or hide the overlay",                 overlay},
+    {"h",         "show or hide these keys",                  help},
+    {"f11",       "full screen or window",                    full_screen},
+    {"p",         "write a screenshot",                       screenshot},
+    {"q",         "quit",                                     quit},
+};
+// clang-format on
+const int view_key_count = sizeof view_key_table / sizeof *view_key_table;
+
+const ViewKey* view_key_find(const char* key) {
+    for (int k = 0; k < view_key_count; k++)
+        if (strcmp(view_key_table[k].key, key) == 0)
+            return &view_key_table[k];
+    return NULL;
+}
+
+int command_key_find(const char* key) {
+    for (int k = 0; k < command_count; k++)
+        if (strcmp(command_table[k].key, key) == 0)
+            return k;
+    return -1;
+}
+
+int keys_count(void) {
+    return command_count + view_key_count;
+}
+
+PanelKey keys_row(int row) {
+    if (row < command_count)
+        return (PanelKey){command_table[row].key, command_table[row].about};
+    const ViewKey* key = &view_key_table[row - command_count];
+    return (PanelKey){key->key, key->about};
+}
+
+void keys_print(FILE* out) {
+    for (int k = 0; k < keys_count(); k++)
+        fprintf(out, "  %-11s %s\n", keys_row(k).key, keys_row(k).about);
+}

@@ -1,0 +1,34 @@
+/// The keys that change the view and not the world: a table. With world/command.h's table these are
+/// all keys; the help overlay, --help and the README walk both through keys_row.
+#ifndef BALLOON_SHOW_KEYS_H
+#define BALLOON_SHOW_KEYS_H
+
+#include <stdio.h>
+
+#include "view/panel.h"
+
+struct App; // show/app.h
+
+typedef struct ViewKey {
+    const char* key;
+    const char* about;
+    void (*down)(struct App* app);
+} ViewKey;
+
+extern const ViewKey view_key_table[];
+extern const int view_key_count;
+
+/// Row by the key's name, or NULL.
+const ViewKey* view_key_find(const char* key);
+
+/// The world's command that a key gives, by row of command_table, or -1.
+int command_key_find(const char* key);
+
+/// All keys, commands first: row 0 … keys_count() - 1.
+int keys_count(void);
+PanelKey keys_row(int row);
+
+/// "  key  what it does", one a line, for --help and the README.
+void keys_print(FILE* out);
+
+#endif

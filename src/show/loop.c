@@ -1,0 +1,102 @@
+/// The main loop: input, steps that are due, picture, output.
+#include "show/app.h"
+
+#include <string.h>
+
+#include "hud/hud.h"
+#include "show/keys.h"
+#include "view/status.h"
+
+// A drag and a turn of the wheel, as the camera takes them, are the user's hand on the scene.
+static void move_camera(Camera* camera, const Input* input) {
+    camera_orbit(camera, input->orbit[0], input->orbit[1]);
+    camera_pan(camera, input->pan[0], input->pan[1]);
+    camera_zoom(camera, input->zoom);
+}
+
+static bool press(App* app, const KeyEvent* event, Fault* fault) {
+    const int row = command_key_find(event->name);
+    if (row >= 0)
+        return session_key(&app->session, row, event->down, fault);
+    const ViewKey* key = view_key_find(event->name);
+    if (key && event->down)
+        key->down(app);
+    return true;
+}
+
+static bool hear(App* app, const Input* input, Fault* fault) {
+    move_camera(&app->camera, input);
+    for (int k = 0; k < input->key_count; k++)
+        if (!press(app, &input->key[k], fault))
+            return false;
+    app->message_left -= input->elapsed;
+    return true;
+}
+
+/// What the guard has to say, on the screen and in the terminal.
+static void repeat_notice(App* app) {
+    char* notice = app->world->notice;
+    if (!notice[0])
+        return;
+    app_say(app, "%s", notice);
+    if (!app->options->quiet)
+        fprintf(stderr, "balloon: %s\n", notice);
+    notice[0] = 0;
+}
+
+static bool advance(App* app, double elapsed, Fault* fault) {
+    long due = pacer_due(&app->pacer, elapsed);
+    for (; due > 0 && app->world->clock < app->last && !app->output.late(app->output.self); due--)
+        if (!session_step(&app->session, fault))
+            return false;
+    repeat_notice(app);
+    return true;
+}
+
+/// The renderer's size and the overlay's scale follow the window.
+static bool fit(App* app, const Input* input, Fault* fault) {
+    if (input->width != app->width || input->height != app->height)
+        renderer_resize(app->renderer, input->width, input->height);
+    app->width = input->width;
+    app->height = input->height;
+
+    if (input->scale == app->scale)
+        return true;
+    if (app->scale > 0)
+        hud_close();
+    app->scale = hud_open(input->scale, fault) ? input->scale : 0;
+    return app->scale > 0;
+}
+
+static void draw(App* app, double frame_ms) {
+    picture_take(&app->picture, app->world, &app->camera, app->mode);
+    renderer_draw(app->renderer, &app->picture);
+
+    const Status status = {
+        .mode = app->mode,
+        .slow = app->pacer.slow,
+        .paused = app->pacer.paused,
+        .frame_ms = frame_ms,
+        .message = app->panel.shown && app->message_left > 0 ? app->message : "",
+    };
+    status_take(&app->panel, app->world, &app->picture, &status);
+    renderer_bind_resolved(app->renderer);
+    hud_draw(&app->panel, app->width, app->height);
+}
+
+bool app_run(App* app, Fault* fault) {
+    Input input;
+    while (!app->quit && app->world->clock < app->last &&
+           app->output.next(app->output.self, &input)) {
+        if (!hear(app, &input, fault) || !advance(app, input.elapsed, fault) ||
+            !fit(app, &input, fault))
+            return false;
+
+        draw(app, input.frame_ms);
+        if (!app->output.present(app->output.self, app->renderer, fault))
+            return false;
+        if (app->screenshot)
+            app_screenshot(app);
+    }
+    return true;
+}

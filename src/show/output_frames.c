@@ -1,0 +1,185 @@
+#include "show/output.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "draw/egl.h"
+#include "show/pacer.h"
+#include "show/png.h"
+#include "show/video.h"
+
+/// What becomes of a frame: a table of three.
+typedef struct Frames Frames;
+typedef struct Writer {
+    bool (*open)(Frames* frames, Fault* fault);
+    bool (*add)(Frames* frames, Fault* fault);
+    bool (*close)(Frames* frames, bool whole, Fault* fault);
+} Writer;
+
+struct Frames {
+    FramesDef def;
+    Egl egl;
+    const Writer* writer;
+    Video video;
+    unsigned char* rgb; ///< [height * width * 3]
+    long count;         ///< frames to be made
+    long done;          ///< frames that were made
+};
+
+// ---- a folder of PNG files ----
+
+static void frame_name(const Frames* frames, long number, char file[1024]) {
+    snprintf(file, 1024, "%s/frame-%05ld.png", frames->def.out, number);
+}
+
+/// Whether a file can be made there, found by making one.
+static bool try_file(const char* file, const char* out, Fault* fault) {
+    char part[1100];
+    snprintf(part, sizeof part, "%s.part", file);
+    FILE* made = fopen(part, "wb");
+    if (!made)
+        return fault_set(fault, out, "cannot be written: %s", strerror(errno));
+    fclose(made);
+    remove(part);
+    return true;
+}
+
+static bool folder_open(Frames* frames, Fault* fault) {
+    if (mkdir(frames->def.out, 0777) != 0 && errno != EEXIST)
+        return fault_set(fault, frames->def.out, "this folder cannot be made: %s", strerror(errno));
+    char file[1024];
+    frame_name(frames, 0, file);
+    return try_file(file, frames->def.out, fault);
+}
+
+static bool folder_add(Frames* frames, Fault* fault) {
+    char file[1024];
+    frame_name(frames, frames->done, file);
+    return png_write_rgb(file, frames->rgb, frames->def.width, frames->def.height, fault);
+}
+
+static bool folder_close(Frames* frames, bool whole, Fault* fault) {
+    (void)fault;
+    if (whole && !frames->def.quiet)
+        printf("%ld frames in %s\n", frames->done, frames->def.out);
+    return whole;
+}
+
+// ---- one PNG file of the last moment ----
+
+static bool still_open(Frames* frames, Fault* fault) {
+    return try_file(frames->def.out, frames->def.out, fault);
+}
+
+static bool still_add(Frames* frames, Fault* fault) {
+    return png_write_rgb(frames->def.out, frames->rgb, frames->def.width, frames->def.height,
+                         fault);
+}
+
+static bool still_close(Frames* frames, bool whole, Fault* fault) {
+    (void)fault;
+    if (whole && !frames->def.quiet)
+        printf("%s\n", frames->def.out);
+    return whole;
+}
+
+// ---- a video ----
+
+static bool film_open(Frames* frames, Fault* fault) {
+    const FramesDef* def = &frames->def;
+    return video_open(&frames->video, video_find(def->out), def->out, def->width, def->height,
+                      def->fps, fault);
+}
+
+static bool film_add(Frames* frames, Fault* fault) {
+    return video_add(&frames->video, frames->rgb, fault);
+}
+
+static bool film_close(Frames* frames, bool whole, Fault* fault) {
+    whole = video_close(&frames->video, whole, fault);
+    if (whole && !frames->def.quiet)
+        printf("%ld frames in %s\n", frames->done, frames->def.out);
+    return whole;
+}
+
+static const Writer folder = {folder_open, folder_add, folder_close};
+static const Writer still = {still_open, still_add, still_close};
+static const Writer film = {film_open, film_add, film_close};
+
+static const Writer* writer_for(const char* out) {
+    const char* dot = strrchr(out, '.');
+    if (dot && strcmp(dot, ".png") == 0)
+        return &still;
+    return video_find(out) ? &film : &folder;
+}
+
+// ---- the output ----
+
+static bool next(void* self, Input* input) {
+    const Frames* frames = self;
+    const FramesDef* def = &frames->def;
+    if (frames->done == frames->count)
+        return false;
+
+    // frame k shows the time k/fps; the only frame of a still shows the last moment
+    double elapsed = frames->done == 0 ? 0 : 1 / def->fps;
+    if (frames->writer == &still)
+        elapsed = def->seconds;
+    *input = (Input){.elapsed = elapsed,
+                     .width = def->width,
+                     .height = def->height,
+                     .scale = fmaxf(1, (float)def->height / 720)};
+    return true;
+}
+
+static bool never_late(void* self) {
+    (void)self;
+    return false;
+}
+
+static bool present(void* self, const Renderer* renderer, Fault* fault) {
+    Frames* frames = self;
+    renderer_read(renderer, frames->rgb);
+    if (!frames->writer->add(frames, fault))
+        return false;
+    frames->done++;
+    if (!frames->def.quiet && isatty(STDERR_FILENO))
+        fprintf(stderr, "\rframe %ld/%ld%s", frames->done, frames->count,
+                frames->done == frames->count ? "\n" : "");
+    return true;
+}
+
+static bool close_frames(void* self, bool whole, Fault* fault) {
+    Frames* frames = self;
+    whole = frames->writer->close(frames, whole, fault);
+    egl_close_surfaceless(&frames->egl);
+    free(frames->rgb);
+    free(frames);
+    return whole;
+}
+
+bool output_frames(Output* output, const FramesDef* def, Fault* fault) {
+    Frames* frames = new_array(Frames, 1);
+    frames->def = *def;
+    frames->writer = writer_for(def->out);
+    frames->rgb = new_array(unsigned char, (size_t)def->width*(size_t)def->height * 3);
+    frames->count = frames->writer == &still ? 1 : 1 + pacer_steps(def->seconds, 1 / def->fps);
+    *output = (Output){.self = frames,
+                       .next = next,
+                       .late = never_late,
+                       .present = present,
+                       .close = close_frames};
+
+    // a machine that cannot draw must leave no folder behind
+    if (egl_open_surfaceless(&frames->egl, fault) && frames->writer->open(frames, fault))
+        return true;
+    egl_close_surfaceless(&frames->egl);
+    free(frames->rgb);
+    free(frames);
+    return false;
+}

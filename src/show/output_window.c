@@ -1,0 +1,243 @@
+#include "show/output.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "base/memory.h"
+#include "show/show.h"
+
+// Steps of the world may take this much of a frame; what is then left of them is not made, so that
+// the window answers on a machine that is too slow. [s]
+static const double STEPS_MOST = 1.0 / 25;
+// A frame is never shorter, whatever the screen: a driver that does not wait for it would spin. [s]
+static const double FRAME_LEAST = 1.0 / 250;
+
+// Share of the last frame in the time that the overlay shows, which would flicker else.
+static const double SMOOTHING = 0.1;
+
+typedef struct Window {
+    GLFWwindow* window;
+    Input input;       ///< gathers until `next` hands it out
+    double shown_at;   ///< when the last frame began [s]
+    double frame_ms;   ///< smoothed [ms]
+    double pointer[2]; ///< [screen coordinates]
+    int place[4];      ///< x, y, width, height before full screen [screen coordinates]
+} Window;
+
+// ---- keys by name, as the key tables write them ----
+
+static const struct KeyName {
+    int key;
+    const char* name;
+} key_name_table[] = {
+    {GLFW_KEY_SPACE, "space"},
+    {GLFW_KEY_ENTER, "enter"},
+    {GLFW_KEY_TAB, "tab"},
+    {GLFW_KEY_BACKSPACE, "backspace"},
+    {GLFW_KEY_ESCAPE, "escape"},
+    {GLFW_KEY_UP, "up"},
+    {GLFW_KEY_DOWN, "down"},
+    {GLFW_KEY_LEFT, "left"},
+    {GLFW_KEY_RIGHT, "right"},
+    {GLFW_KEY_PAGE_UP, "page up"},
+    {GLFW_KEY_PAGE_DOWN, "page down"},
+    {GLFW_KEY_HOME, "home"},
+    {GLFW_KEY_END, "end"},
+    {GLFW_KEY_F1, "f1"},
+    {GLFW_KEY_F11, "f11"},
+    {GLFW_KEY_F12, "f12"},
+};
+
+/// A letter is what the user's keyboard prints; where it prints no ASCII, what stands there on an
+/// American one.
+static void name_key(int key, int scancode, char name[16]) {
+    name[0] = 0;
+    for (size_t k = 0; k < sizeof key_name_table / sizeof *key_name_table; k++)
+        if (key_name_table[k].key == key)
+            snprintf(name, 16, "%s", key_name_table[k].name);
+    if (name[0])
+        return;
+    const char* printed = glfwGetKeyName(key, scancode);
+    if (printed && printed[0] > ' ' && printed[0] < 127 && !printed[1])
+        snprintf(name, 16, "%c", tolower(printed[0]));
+    else if (key > ' ' && key < 127)
+        snprintf(name, 16, "%c", tolower(key));
+}
+
+/// On loss of focus GLFW reports every key that is down as released: nothing stays held.
+static void on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
+    (void)modifiers;
+    Input* input = &((Window*)glfwGetWindowUserPointer(handle))->input;
+    if (action == GLFW_REPEAT || input->key_count == KEYS_A_FRAME)
+        return;
+    KeyEvent* event = &input->key[input->key_count];
+    name_key(key, scancode, event->name);
+    event->down = action == GLFW_PRESS;
+    if (event->name[0])
+        input->key_count++;
+}
+
+// ---- mouse ----
+
+static bool pressed(GLFWwindow* handle, int button) {
+    return glfwGetMouseButton(handle, button) == GLFW_PRESS;
+}
+
+/// Events come in their order, however late: what the pointer and the buttons are by now is no
+/// matter.
+static void on_pointer(GLFWwindow* handle, double x, double y) {
+    Window* window = glfwGetWindowUserPointer(handle);
+    int width, height;
+    glfwGetWindowSize(handle, &width, &height);
+    const float dx = (float)((x - window->pointer[0]) / fmax(height, 1));
+    const float dy = (float)((y - window->pointer[1]) / fmax(height, 1));
+    window->pointer[0] = x;
+    window->pointer[1] = y;
+
+    // left drags orbit; right and middle ones, or left with shift, pan
+    const bool left = pressed(handle, GLFW_MOUSE_BUTTON_LEFT);
+    const bool shift = glfwGetKey(handle, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
+                       glfwGetKey(handle, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+    const bool other =
+        pressed(handle, GLFW_MOUSE_BUTTON_RIGHT) || pressed(handle, GLFW_MOUSE_BUTTON_MIDDLE);
+    if (!left && !other)
+        return;
+    float* drag = other || shift ? window->input.pan : window->input.orbit;
+    drag[0] += dx;
+    drag[1] += dy;
+}
+
+static void on_wheel(GLFWwindow* handle, double x, double y) {
+    (void)x;
+    ((Window*)glfwGetWindowUserPointer(handle))->input.zoom += (float)y;
+}
+
+// ---- the output ----
+
+/// Pixels may be finer than screen coordinates; the overlay's text follows whichever says so.
+static void measure(Window* window) {
+    Input* input = &window->input;
+    int width, height;
+    float across, down;
+    glfwGetFramebufferSize(window->window, &input->width, &input->height);
+    glfwGetWindowSize(window->window, &width, &height);
+    glfwGetWindowContentScale(window->window, &across, &down);
+    const float ratio = (float)input->height / (float)(height > 0 ? height : 1);
+    input->scale = fmaxf(1, fmaxf(ratio, down));
+}
+
+static bool next(void* self, Input* input) {
+    Window* window = self;
+    glfwPollEvents();
+    measure(window);
+
+    // nothing to draw on while it is an icon, and no hurry where the driver does not wait
+    while (!glfwWindowShouldClose(window->window) &&
+           (window->input.width == 0 || glfwGetTime() - window->shown_at < FRAME_LEAST)) {
+        glfwWaitEventsTimeout(FRAME_LEAST);
+        measure(window);
+    }
+    const double now = glfwGetTime();
+    window->input.elapsed = now - window->shown_at;
+    window->frame_ms += SMOOTHING * (1e3 * window->input.elapsed - window->frame_ms);
+    window->input.frame_ms = window->frame_ms;
+    window->shown_at = now;
+
+    *input = window->input;
+    window->input = (Input){0};
+    return !glfwWindowShouldClose(window->window);
+}
+
+static bool late(void* self) {
+    const Window* window = self;
+    return glfwGetTime() - window->shown_at > STEPS_MOST;
+}
+
+static bool present(void* self, const Renderer* renderer, Fault* fault) {
+    (void)fault;
+    Window* window = self;
+    renderer_show(renderer);
+    glfwSwapBuffers(window->window);
+    return true;
+}
+
+static void full_screen(void* self) {
+    Window* window = self;
+    int* place = window->place;
+    if (glfwGetWindowMonitor(window->window)) {
+        glfwSetWindowMonitor(window->window, NULL, place[0], place[1], place[2], place[3],
+                             GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+    if (!mode)
+        return;
+    glfwGetWindowPos(window->window, &place[0], &place[1]);
+    glfwGetWindowSize(window->window, &place[2], &place[3]);
+    glfwSetWindowMonitor(window->window, monitor, 0, 0, mode->width, mode->height,
+                         mode->refreshRate);
+}
+
+static bool close_window(void* self, bool whole, Fault* fault) {
+    (void)fault;
+    Window* window = self;
+    glfwDestroyWindow(window->window);
+    glfwTerminate();
+    free(window);
+    return whole;
+}
+
+static const char* glfw_says(void) {
+    const char* text = NULL;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
+}
+
+bool show_has_display(void) {
+    const bool has = glfwInit();
+    glfwTerminate();
+    return has;
+}
+
+bool output_window(Output* output, const char* title, int width, int height, Fault* fault) {
+    if (!glfwInit())
+        return fault_set(fault, "window",
+                         "there is no display here (%s); `balloon render` works without one",
+                         glfw_says());
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has buffers of its own
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+
+    GLFWwindow* handle = glfwCreateWindow(width, height, title, NULL, NULL);
+    if (!handle) {
+        fault_set(fault, "window", "no window with OpenGL 3.3: %s", glfw_says());
+        glfwTerminate();
+        return false;
+    }
+    Window* window = new_array(Window, 1);
+    *window = (Window){.window = handle, .shown_at = glfwGetTime()};
+    glfwGetCursorPos(handle, &window->pointer[0], &window->pointer[1]);
+    glfwSetWindowUserPointer(handle, window);
+    glfwSetKeyCallback(handle, on_key);
+    glfwSetCursorPosCallback(handle, on_pointer);
+    glfwSetScrollCallback(handle, on_wheel);
+    glfwMakeContextCurrent(handle);
+    glfwSwapInterval(1);
+    *output = (Output){.self = window,
+                       .next = next,
+                       .late = late,
+                       .present = present,
+                       .full_screen = full_screen,
+                       .close = close_window};
+    return true;
+}

@@ -1,0 +1,120 @@
+#include "show/run.h"
+
+#include <errno.h>
+#include <string.h>
+#include <time.h>
+
+#include "show/pacer.h"
+#include "show/session.h"
+#include "world/probe.h"
+
+static double cpu_seconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/// Step until the world's clock reads `until` or the state is bad; adds the CPU time to `spent`.
+static bool advance(Session* session, long until, bool quiet, double* spent, Fault* fault) {
+    World* world = session->world;
+    const double start = cpu_seconds();
+    bool good = true;
+    while (good && world->clock < until && !world->blowup.halted && !world->notice[0])
+        good = session_step(session, fault);
+    *spent += cpu_seconds() - start;
+
+    if (world->notice[0] && !quiet)
+        fprintf(stderr, "balloon: %s\n", world->notice);
+    world->notice[0] = 0;
+    return good;
+}
+
+static FILE* open_out(const char* path, Fault* fault) {
+    FILE* out = strcmp(path, "-") == 0 ? stdout : fopen(path, "w");
+    if (!out)
+        fault_set(fault, path, "cannot be written: %s", strerror(errno));
+    return out;
+}
+
+static bool close_out(FILE* out, const char* path, Fault* fault) {
+    const bool bad = ferror(out) || fflush(out) != 0;
+    if (out != stdout)
+        fclose(out);
+    return bad ? fault_set(fault, path, "could not be written to its end: %s", strerror(errno))
+               : true;
+}
+
+static bool write_skins(const World* world, const char* path, Fault* fault) {
+    FILE* out = open_out(path, fault);
+    if (!out)
+        return false;
+    probe_obj(world, out);
+    return close_out(out, path, fault);
+}
+
+/// Step at which the scene says what it is about, after `from` and not after `until`, or `until`.
+static long next_about(const World* world, long from, long until) {
+    for (unsigned k = 0; k < world->def.about_count; k++) {
+        const long at = pacer_steps(world->def.about[k].at, world->step);
+        if (at > from && at < until)
+            until = at;
+    }
+    return until;
+}
+
+static void print_about(const World* world) {
+    for (unsigned k = 0; k < world->def.about_count; k++) {
+        const AboutDef* about = &world->def.about[k];
+        double value;
+        if (pacer_steps(about->at, world->step) == world->clock &&
+            probe_value(world, about->output, &value))
+            printf("%s at %g s: %.9g\n", about->output, about->at, value);
+    }
+}
+
+/// Rows and steps, to the end or to a bad state.
+static bool simulate(Session* session, const RunOptions* options, FILE* csv, double* spent,
+                     Fault* fault) {
+    World* world = session->world;
+    const long frames = pacer_steps(options->seconds, 1 / options->fps);
+    const long steps = pacer_steps(options->seconds, world->step);
+    if (csv) {
+        probe_csv_header(world, csv);
+        probe_csv_row(world, csv);
+    }
+    for (long k = 1; k <= frames + 1; k++) {
+        const long until = k <= frames ? pacer_steps((double)k / options->fps, world->step) : steps;
+        while (world->clock < until && !world->blowup.halted) {
+            const long stop = next_about(world, world->clock, until);
+            if (!advance(session, stop, options->quiet, spent, fault))
+                return false;
+            if (!options->quiet && !csv)
+                print_about(world);
+        }
+        if (world->blowup.halted)
+            return fault_set(fault, world->def.file, "%s", world->blowup.text);
+        if (csv && k <= frames)
+            probe_csv_row(world, csv);
+    }
+    return true;
+}
+
+bool run(World* world, const RunOptions* options, Fault* fault) {
+    Session session;
+    FILE* csv = NULL;
+    double spent = 0;
+    if (!session_open(&session, world, options->input, options->record, fault))
+        return false;
+
+    bool good = !options->csv || (csv = open_out(options->csv, fault)) != NULL;
+    good = good && simulate(&session, options, csv, &spent, fault);
+    if (csv) // rows up to a bad state are good
+        good = close_out(csv, options->csv, fault) && good;
+    if (good && options->obj)
+        good = write_skins(world, options->obj, fault);
+    if (good && options->time)
+        printf("stepping %.6f s of CPU time for %g s: %.6f ms per simulated second\n", spent,
+               options->seconds, 1e3 * spent / options->seconds);
+    session_close(&session);
+    return good;
+}

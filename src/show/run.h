@@ -1,0 +1,22 @@
+/// `balloon run`: simulate without drawing, and write numbers.
+#ifndef BALLOON_SHOW_RUN_H
+#define BALLOON_SHOW_RUN_H
+
+#include "world/world.h"
+
+typedef struct RunOptions {
+    double seconds;     ///< simulated [s]
+    double fps;         ///< rows of the CSV per simulated second
+    const char* csv;    ///< file for the CSV, "-" for standard output, NULL for none
+    const char* obj;    ///< file for the skins at the end, or NULL
+    const char* input;  ///< input log to replay, or NULL
+    const char* record; ///< file for the session's input log, or NULL
+    bool time;          ///< print the CPU time of stepping alone
+    bool quiet;
+} RunOptions;
+
+/// Row k of the CSV is the state after floor(k / (fps step)) steps, row 0 the start.
+/// False with a sentence when a file cannot be read or written, or the state went bad.
+bool run(World* world, const RunOptions* options, Fault* fault);
+
+#endif

@@ -1,0 +1,80 @@
+#include "show/session.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include "world/command.h"
+
+static bool begin_log(Session* session, Fault* fault) {
+    session->scenes++;
+    if (!session->record)
+        return true;
+    char file[1024];
+    if (session->scenes == 1)
+        snprintf(file, sizeof file, "%s", session->record);
+    else
+        snprintf(file, sizeof file, "%s.%d", session->record, session->scenes);
+    session->log = fopen(file, "w");
+    if (!session->log)
+        return fault_set(fault, file, "this input log cannot be written: %s", strerror(errno));
+
+    // each line at once, so that a crash leaves the log that leads to it
+    setvbuf(session->log, NULL, _IOLBF, BUFSIZ);
+    record_title(session->world->def.file, session->log);
+    return true;
+}
+
+static void end_log(Session* session) {
+    if (!session->log)
+        return;
+    fprintf(session->log, "# %ld steps of %.17g s, hash %016llx\n", session->world->clock,
+            session->world->step, (unsigned long long)world_hash(session->world));
+    fclose(session->log);
+    session->log = NULL;
+}
+
+void session_close(Session* session) {
+    end_log(session);
+    record_free(&session->replay);
+    record_free(&session->made);
+}
+
+bool session_open(Session* session, World* world, const char* input, const char* record,
+                  Fault* fault) {
+    *session = (Session){.world = world, .record = record};
+    if ((!input || record_load(input, &session->replay, fault)) && begin_log(session, fault))
+        return true;
+    session_close(session);
+    return false;
+}
+
+static bool apply(Session* session, const Event* event, Fault* fault) {
+    if (!world_event(session->world, event, fault))
+        return false;
+    record_add(&session->made, event, session->log);
+    return true;
+}
+
+bool session_key(Session* session, int row, bool down, Fault* fault) {
+    Event event = {.step = session->world->clock, .kind = EVENT_KEY};
+    snprintf(event.name, sizeof event.name, "%s", command_table[row].name);
+    snprintf(event.value, sizeof event.value, "%s", down ? "down" : "up");
+    return apply(session, &event, fault);
+}
+
+bool session_step(Session* session, Fault* fault) {
+    const Event* due;
+    while ((due = record_due(&session->replay, session->world->clock)))
+        if (!apply(session, due, fault))
+            return false;
+    world_step(session->world);
+    return true;
+}
+
+bool session_change(Session* session, World* next, Fault* fault) {
+    session_close(session);
+    world_close(session->world);
+    *session->world = *next;
+    *next = (World){0};
+    return begin_log(session, fault);
+}

@@ -1,0 +1,68 @@
+#include "show/show.h"
+
+#include <limits.h>
+#include <math.h>
+
+#include "show/app.h"
+
+// A window that was held up goes on from where it was: this much of a frame counts at most. [s]
+static const double WINDOW_MOST = 1.0 / 20;
+
+ShowOptions show_options_default(void) {
+    return (ShowOptions){.width = 1280, .height = 720, .fps = 60, .overlay = true};
+}
+
+bool show_play(World* world, const ShowOptions* options, Fault* fault) {
+    App app = {.options = options, .pacer = {.slow = 1, .most = WINDOW_MOST}, .last = LONG_MAX};
+    if (options->seconds > 0)
+        app.last = pacer_steps(options->seconds, world->step);
+    if (!app_begin(&app, world, fault))
+        return false;
+    if (!output_window(&app.output, "balloon", options->width, options->height, fault)) {
+        session_close(&app.session);
+        return false;
+    }
+
+    app_say(&app, "h shows the keys");
+    const bool good = app_open(&app, fault) && app_run(&app, fault);
+
+    // the user has seen it, and could have gone on from it
+    if (world->blowup.halted && !options->quiet)
+        fprintf(stderr, "balloon: %s\n", world->blowup.text);
+    return app_close(&app, good, fault);
+}
+
+/// Steps after the last frame, where the end is between two.
+static bool finish(App* app, double seconds, Fault* fault) {
+    while (app->world->clock < pacer_steps(seconds, app->world->step))
+        if (!session_step(&app->session, fault))
+            return false;
+    return true;
+}
+
+bool show_render(World* world, const ShowOptions* options, Fault* fault) {
+    App app = {.options = options, .pacer = {.slow = 1, .most = INFINITY}, .last = LONG_MAX};
+    const FramesDef frames = {
+        .out = options->out,
+        .width = options->width,
+        .height = options->height,
+        .fps = options->fps,
+        .seconds = options->seconds,
+        .quiet = options->quiet,
+    };
+    if (!app_begin(&app, world, fault))
+        return false;
+    if (!output_frames(&app.output, &frames, fault)) {
+        session_close(&app.session);
+        return false;
+    }
+
+    bool good =
+        app_open(&app, fault) && app_run(&app, fault) && finish(&app, options->seconds, fault);
+    good = app_close(&app, good, fault);
+
+    // the frames show it, and stay
+    if (world->blowup.halted)
+        return fault_set(fault, world->def.file, "%s", world->blowup.text);
+    return good;
+}

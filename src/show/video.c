@@ -1,0 +1,148 @@
+#include "show/video.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+// 4:2:0 colour, which players want, has whole pixels only in even sizes
+#define EVEN "crop=trunc(iw/2)*2:trunc(ih/2)*2"
+
+static const char* const MP4[] = {"-vf",      EVEN,      "-c:v",      "libx264",    "-crf", "18",
+                                  "-pix_fmt", "yuv420p", "-movflags", "+faststart", NULL};
+static const char* const WEBM[] = {"-vf", EVEN,       "-c:v",    "libvpx-vp9", "-crf", "30", "-b:v",
+                                   "0",   "-pix_fmt", "yuv420p", "-row-mt",    "1",    NULL};
+// delays are hundredths of a second: 25 frames a second are exact, 60 would not be. One palette for
+// all frames
+static const char* const GIF[] = {
+    "-vf", "fps=25,split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", NULL};
+
+const VideoFormat video_table[] = {
+    {".mp4", "mp4", MP4}, {".webm", "webm", WEBM}, {".gif", "gif", GIF}};
+const int video_count = sizeof video_table / sizeof *video_table;
+
+enum { ARGUMENTS_MOST = 48 };
+
+const VideoFormat* video_find(const char* file) {
+    for (int k = 0; k < video_count; k++) {
+        const size_t ending = strlen(video_table[k].ending), size = strlen(file);
+        if (size > ending && strcmp(file + size - ending, video_table[k].ending) == 0)
+            return &video_table[k];
+    }
+    return NULL;
+}
+
+/// ffmpeg reads our end of the pipe as its input; what it says goes to a file of ours.
+static bool spawn(Video* video, char* const* arguments, int input, Fault* fault) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, fileno(video->said), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, fileno(video->said), STDERR_FILENO);
+
+    pid_t process = 0;
+    const int error = posix_spawnp(&process, "ffmpeg", &actions, NULL, arguments, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error == ENOENT)
+        return fault_set(fault, video->file,
+                         "a video needs ffmpeg (apt-get install ffmpeg); a folder or a .png does "
+                         "without");
+    if (error)
+        return fault_set(fault, video->file, "ffmpeg does not start: %s", strerror(error));
+    video->process = process;
+    return true;
+}
+
+static bool start(Video* video, const VideoFormat* format, int width, int height, double fps,
+                  Fault* fault) {
+    // no shell in between, and "file:" keeps any name from being taken for an option or an address
+    char size[32], rate[32], target[1040];
+    snprintf(size, sizeof size, "%dx%d", width, height);
+    snprintf(rate, sizeof rate, "%.10g", fps);
+    snprintf(target, sizeof target, "file:%s", video->part);
+    const char* const before[] = {"ffmpeg",   "-loglevel", "error",  "-nostdin", "-y", "-f",
+                                  "rawvideo", "-pix_fmt",  "rgb24",  "-s",       size, "-r",
+                                  rate,       "-i",        "pipe:0", "-an",      NULL};
+    const char* const after[] = {"-f", format->muxer, target, NULL};
+    const char* const* const parts[] = {before, format->arguments, after};
+    char* arguments[ARGUMENTS_MOST];
+    int count = 0;
+    for (int part = 0; part < 3; part++)
+        for (int k = 0; parts[part][k]; k++)
+            arguments[count++] = (char*)parts[part][k];
+    arguments[count] = NULL;
+
+    int ends[2];
+    video->said = tmpfile();
+    if (!video->said || pipe(ends) != 0)
+        return fault_set(fault, video->file, "no pipe to ffmpeg: %s", strerror(errno));
+
+    // ffmpeg must not inherit our end of its own pipe, or it would never see it close
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    const bool good = spawn(video, arguments, ends[0], fault);
+    close(ends[0]);
+    video->pipe = fdopen(ends[1], "wb");
+    return good;
+}
+
+bool video_open(Video* video, const VideoFormat* format, const char* file, int width, int height,
+                double fps, Fault* fault) {
+    *video = (Video){.frame = (size_t)width * (size_t)height * 3};
+    snprintf(video->file, sizeof video->file, "%s", file);
+    snprintf(video->part, sizeof video->part, "%s.part", file);
+    FILE* probe = fopen(video->part, "wb");
+    if (!probe)
+        return fault_set(fault, file, "cannot be written: %s", strerror(errno));
+    fclose(probe);
+
+    // an ffmpeg that ends early is an error of ours to report, not a signal to die of
+    signal(SIGPIPE, SIG_IGN);
+    if (start(video, format, width, height, fps, fault))
+        return true;
+    video_close(video, false, fault);
+    return false;
+}
+
+bool video_add(Video* video, const unsigned char* rgb, Fault* fault) {
+    if (fwrite(rgb, 1, video->frame, video->pipe) == video->frame)
+        return true;
+    return video_close(video, false, fault);
+}
+
+/// The first line that ffmpeg said.
+static void first_line(FILE* said, char* line, int size) {
+    rewind(said);
+    if (!fgets(line, size, said))
+        snprintf(line, (size_t)size, "it does not say why");
+    line[strcspn(line, "\n")] = 0;
+}
+
+bool video_close(Video* video, bool whole, Fault* fault) {
+    if (!video->file[0])
+        return whole; // closed before
+    if (video->pipe)
+        whole = fclose(video->pipe) == 0 && whole;
+
+    int status = 0;
+    if (video->process && waitpid((pid_t)video->process, &status, 0) > 0 &&
+        !(WIFEXITED(status) && WEXITSTATUS(status) == 0)) {
+        char line[512];
+        first_line(video->said, line, sizeof line);
+        whole = fault_set(fault, video->file, "ffmpeg failed: %s", line);
+    }
+    if (whole && rename(video->part, video->file) != 0)
+        whole = fault_set(fault, video->file, "cannot be written: %s", strerror(errno));
+    if (!whole) {
+        fault_set(fault, video->file, "the video could not be finished");
+        remove(video->part);
+    }
+    if (video->said)
+        fclose(video->said);
+    *video = (Video){0};
+    return whole;
+}

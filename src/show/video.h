@@ -1,0 +1,39 @@
+/// A video file: raw frames go through a pipe into ffmpeg, which must be installed. The file
+/// appears under its name only when it is whole.
+#ifndef BALLOON_SHOW_VIDEO_H
+#define BALLOON_SHOW_VIDEO_H
+
+#include "base/fault.h"
+
+typedef struct VideoFormat {
+    const char* ending;           ///< of the file's name, with the dot
+    const char* muxer;            ///< ffmpeg's name of the container
+    const char* const* arguments; ///< codec and filters, ended by NULL
+} VideoFormat;
+
+extern const VideoFormat video_table[];
+extern const int video_count;
+
+/// Row by the ending of a file's name, or NULL.
+const VideoFormat* video_find(const char* file);
+
+typedef struct Video {
+    FILE* pipe;   ///< raw frames, to ffmpeg
+    FILE* said;   ///< what ffmpeg has to say, for our own sentence
+    long process; ///< ffmpeg's process id; 0: none
+    size_t frame; ///< [bytes] of a frame
+    char file[900];
+    char part[1024]; ///< the name until it is whole
+} Video;
+
+/// Start ffmpeg. A missing ffmpeg and a file that cannot be written are faults.
+bool video_open(Video* video, const VideoFormat* format, const char* file, int width, int height,
+                double fps, Fault* fault);
+
+/// rgb: [height * width * 3], upper row first.
+bool video_add(Video* video, const unsigned char* rgb, Fault* fault);
+
+/// End the video and wait for ffmpeg. If it fails, or `whole` is false, no file is left.
+bool video_close(Video* video, bool whole, Fault* fault);
+
+#endif

@@ -1,0 +1,55 @@
+#include "view/framing.h"
+
+#include <float.h>
+
+// A balloon that fills the picture at rest has nowhere to grow. [parts of its size]
+static const float ROOM_TO_GROW = 0.15f;
+
+static void widen(float low[3], float high[3], real4 point) {
+    for (int k = 0; k < 3; k++) {
+        low[k] = fminf(low[k], (float)point[k]);
+        high[k] = fmaxf(high[k], (float)point[k]);
+    }
+}
+
+Camera framing_all(const World* world) {
+    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Body* body = &world->balloon[b].body;
+        const real room = (real)ROOM_TO_GROW * (real)body->size;
+        for (int i = 0; i < body->count; i++) {
+            widen(low, high, body->x[i] - room);
+            widen(low, high, body->x[i] + room);
+        }
+        for (int s = 0; s < body->string_count; s++)
+            widen(low, high, body->string[s].anchor);
+    }
+    return camera_framing(low, high);
+}
+
+/// Turn and distance for an eye at `eye`.
+static void stand(Camera* camera, const double eye[3]) {
+    double away[3], square = 0;
+    for (int k = 0; k < 3; k++) {
+        away[k] = eye[k] - (double)camera->target[k];
+        square += away[k] * away[k];
+    }
+    const double distance = sqrt(square);
+    if (!(distance > 0))
+        return;
+    camera->distance = (float)distance;
+    camera->yaw = (float)atan2(away[0], away[2]);
+    camera->pitch = (float)asin(away[1] / distance);
+    camera_orbit(camera, 0, 0); // holds the pitch within its limits
+}
+
+Camera framing_first(const World* world) {
+    Camera camera = framing_all(world);
+    const CameraDef* given = world->def.camera;
+    if (given && given->look)
+        for (int k = 0; k < 3; k++)
+            camera.target[k] = (float)given->look[k];
+    if (given && given->eye)
+        stand(&camera, given->eye);
+    return camera;
+}

@@ -1,0 +1,34 @@
+#include "view/mode.h"
+
+#include "view/color.h"
+#include "view/stroke.h"
+
+static const float WIDTH = 1.1f;  // [px at 720 lines]
+static const float LENGTH = 0.8f; // [edge lengths]
+
+static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
+    const Stroke stroke = stroke_on(picture, skin, balloon);
+    for (int i = 0; i < skin->point_count; i++) {
+        // -1…1 along x, y, z as red, green, blue
+        float shade[3], tip[3];
+        for (int k = 0; k < 3; k++)
+            shade[k] = 0.5f + 0.5f * skin->normal[i][k];
+        color_linear(shade, skin->tint[i]);
+
+        stroke_above(&stroke, i, LENGTH, tip);
+        if (!stroke_hidden(&stroke, i))
+            picture_line(picture, skin->position[i], tip, STROKE_BLACK, stroke.thin * WIDTH);
+    }
+}
+
+static int lines(const Balloon* balloon) {
+    return balloon->mesh.point_count;
+}
+
+const Mode mode_normals = {
+    .name = "normals",
+    .about = "where the skin faces, as colour and as hairs",
+    .paint = PAINT_FIELD,
+    .fill = fill,
+    .lines = lines,
+};

@@ -1,0 +1,113 @@
+#include "view/picture.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "view/mode.h"
+#include "view/rope.h"
+#include "view/surface.h"
+#include "world/world.h"
+
+/// Most lines and balls of a balloon, over all modes.
+static int most_of(const Balloon* balloon, bool balls) {
+    int most = 0;
+    for (int m = 0; m < mode_count; m++) {
+        int (*count)(const Balloon*) = balls ? mode_table[m]->balls : mode_table[m]->lines;
+        const int here = count ? count(balloon) : 0;
+        most = here > most ? here : most;
+    }
+    return most;
+}
+
+void picture_open(Picture* picture, const World* world) {
+    *picture = (Picture){
+        .skin = new_array(PictureSkin, world->balloon_count),
+        .skin_count = world->balloon_count,
+        .floor = world->def.floor != NULL,
+        .floor_height = world->def.floor ? (float)*world->def.floor : 0,
+        .mesh_count = picture->mesh_count,
+    };
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Balloon* balloon = &world->balloon[b];
+        surface_open(&picture->skin[b], balloon, picture->mesh_count++);
+        picture->line_room += most_of(balloon, false) + ROPE_SEGMENTS * balloon->body.string_room;
+        picture->ball_room += most_of(balloon, true) + ROPE_KNOTS * balloon->body.string_room;
+    }
+    picture->line = new_array(PictureLine, picture->line_room);
+    picture->ball = new_array(PictureBall, picture->ball_room);
+}
+
+static void widen(float low[3], float high[3], const float point[3], float radius) {
+    for (int k = 0; k < 3; k++) {
+        low[k] = fminf(low[k], point[k] - radius);
+        high[k] = fmaxf(high[k], point[k] + radius);
+    }
+}
+
+/// The ball around the box around all skins and balls.
+static void bound(Picture* picture) {
+    float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
+    for (int b = 0; b < picture->skin_count; b++)
+        for (int i = 0; i < picture->skin[b].point_count; i++)
+            widen(low, high, picture->skin[b].position[i], 0);
+    for (int b = 0; b < picture->ball_count; b++)
+        widen(low, high, picture->ball[b].center, picture->ball[b].radius);
+
+    float square = 0;
+    for (int k = 0; k < 3; k++) {
+        const float half = 0.5f * (high[k] - low[k]);
+        picture->scene_center[k] = low[k] + half;
+        square += half * half;
+    }
+    picture->scene_radius = sqrtf(square);
+    ASSERT(isfinite(picture->scene_radius), "a picture is made of finite numbers");
+}
+
+void picture_take(Picture* picture, const World* world, const Camera* camera, const Mode* mode) {
+    picture->camera = *camera;
+    picture->line_count = picture->ball_count = 0;
+
+    for (int b = 0; b < world->balloon_count; b++) {
+        PictureSkin* skin = &picture->skin[b];
+        skin->paint = mode->paint;
+        skin->selected = b == world->selected;
+        surface_take(skin, &world->balloon[b]);
+        rope_take(picture, &world->balloon[b]);
+    }
+    bound(picture);
+
+    if (mode->fill)
+        for (int b = 0; b < world->balloon_count; b++)
+            mode->fill(picture, &picture->skin[b], &world->balloon[b]);
+}
+
+void picture_line(Picture* picture, const float from[3], const float to[3], const float color[3],
+                  float width) {
+    ASSERT(picture->line_count < picture->line_room, "each mode says how many lines it draws");
+    picture->line[picture->line_count++] = (PictureLine){
+        .from = {from[0], from[1], from[2]},
+        .to = {to[0], to[1], to[2]},
+        .color = {color[0], color[1], color[2]},
+        .width = width,
+    };
+}
+
+void picture_ball(Picture* picture, const float center[3], float radius, const float color[3]) {
+    ASSERT(picture->ball_count < picture->ball_room, "each mode says how many balls it draws");
+    picture->ball[picture->ball_count++] = (PictureBall){
+        .center = {center[0], center[1], center[2]},
+        .radius = radius,
+        .color = {color[0], color[1], color[2]},
+    };
+}
+
+void picture_close(Picture* picture) {
+    for (int b = 0; b < picture->skin_count; b++)
+        surface_close(&picture->skin[b]);
+    free(picture->skin);
+    free(picture->line);
+    free(picture->ball);
+    *picture = (Picture){.mesh_count = picture->mesh_count};
+}

@@ -1,0 +1,56 @@
+#include "view/rope.h"
+
+static const float ROPE_COLOR[3] = {0.62f, 0.58f, 0.5f};
+static const float ROPE_WIDTH = 1.8f; // [px at 720 lines]
+// A knot is small beside its balloon. [parts of the balloon's size]
+static const float KNOT_RADIUS = 0.018f;
+// A string that hangs straight up and down bows a little to one side, as a real one does.
+static const double4 SIDEWAYS = {0.8, 0, 0.6, 0};
+static const double SIDEWAYS_SHARE = 0.25;
+
+/// Where a slack string bows: down, as seen across its chord, and a little sideways.
+static double4 bow_direction(double4 chord) {
+    const double4 down = {0, -1, 0, 0};
+    const double4 pull = down + SIDEWAYS_SHARE * SIDEWAYS;
+    const double square = ddot(chord, chord);
+    const double4 across = square > 0 ? pull - (ddot(pull, chord) / square) * chord : pull;
+    const double size = dlength(across);
+    return size > 0 ? across / size : SIDEWAYS;
+}
+
+/// How far a parabola of length l over a chord d sags. For a shallow one l = d + 8 s^2 / 3 d, and
+/// for a chord of nothing l = 2 s; s^2 = 3/16 (l^2 - d^2) meets the first and nears the second.
+static double sag(double free_length, double chord) {
+    const double square = 3.0 / 16.0 * (free_length * free_length - chord * chord);
+    return square > 0 ? sqrt(square) : 0;
+}
+
+static void take(Picture* picture, const String* string, const Body* body, float knot) {
+    const double4 from = to_double4(body->x[string->particle]);
+    const double4 to = to_double4(string->anchor);
+    const double depth = sag((double)string->free_length, dlength(to - from));
+    const double4 bow = 4 * depth * bow_direction(to - from);
+
+    float before[3], now[3];
+    for (int s = 0; s <= ROPE_SEGMENTS; s++) {
+        const double t = (double)s / ROPE_SEGMENTS;
+        const double4 p = from + t * (to - from) + t * (1 - t) * bow;
+        for (int k = 0; k < 3; k++)
+            now[k] = (float)p[k];
+        if (picture->floor && s > 0 && s < ROPE_SEGMENTS)
+            now[1] = fmaxf(now[1], picture->floor_height + 0.3f * knot);
+        if (s > 0)
+            picture_line(picture, before, now, ROPE_COLOR, ROPE_WIDTH);
+        else
+            picture_ball(picture, now, knot, ROPE_COLOR);
+        for (int k = 0; k < 3; k++)
+            before[k] = now[k];
+    }
+    picture_ball(picture, now, knot, ROPE_COLOR);
+}
+
+void rope_take(Picture* picture, const Balloon* balloon) {
+    const Body* body = &balloon->body;
+    for (int s = 0; s < body->string_count; s++)
+        take(picture, &body->string[s], body, KNOT_RADIUS * (float)body->size);
+}

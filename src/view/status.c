@@ -1,0 +1,96 @@
+#include "view/status.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "mesh/measure.h"
+#include "world/probe.h"
+
+enum { BALLOONS_MOST = 8 }; ///< rows for balloons before the rest is only counted
+
+static void title(Panel* panel, const World* world) {
+    const char* slash = strrchr(world->def.file, '/');
+    const char* file = slash ? slash + 1 : world->def.file;
+    const char* text = world->def.title ? world->def.title : file;
+    panel_text(panel->title, sizeof panel->title, text);
+}
+
+static void time_rows(Panel* panel, const World* world, const Status* status) {
+    char speed[32] = "";
+    if (status->paused)
+        snprintf(speed, sizeof speed, ", paused");
+    else if (status->slow > 1)
+        snprintf(speed, sizeof speed, ", 1/%d speed", status->slow);
+    panel_row(panel, "time", "%.2f s%s", world_time(world), speed);
+
+    if (world->substeps > 1)
+        panel_row(panel, "step", "%g ms in %d parts", 1000 * world->step, world->substeps);
+    else
+        panel_row(panel, "step", "%g ms", 1000 * world->step);
+    if (status->frame_ms > 0)
+        panel_row(panel, "frame", "%.1f ms", status->frame_ms);
+}
+
+static void mode_row(Panel* panel, const Picture* picture, const Mode* mode) {
+    if (mode != &mode_stretch) {
+        panel_row(panel, "shown", "%s", mode->name);
+        return;
+    }
+    char tops[64] = "";
+    for (int b = 0; b < picture->skin_count && b < BALLOONS_MOST; b++) {
+        const size_t used = strlen(tops);
+        snprintf(tops + used, sizeof tops - used, "%s1 to %g", b ? ", " : "",
+                 (double)mode_stretch_top(&picture->skin[b]));
+    }
+    panel_row(panel, "shown", "stretch %s", tops);
+}
+
+static bool gauge_pressure(const World* world, int balloon, double* value) {
+    char column[64];
+    snprintf(column, sizeof column, "balloon%d.gauge_pressure", balloon);
+    return probe_value(world, column, value);
+}
+
+static void balloon_row(Panel* panel, const World* world, int b) {
+    const Balloon* balloon = &world->balloon[b];
+    const Inflation* inflation = &balloon->body.inflation;
+    char text[PANEL_TEXT] = "";
+    double pressure;
+    size_t used = 0;
+    if (inflation->law != INFLATE_NONE)
+        used += (size_t)snprintf(text, sizeof text, "amount %.4g", inflation->amount);
+    if (gauge_pressure(world, b, &pressure))
+        used += (size_t)snprintf(text + used, sizeof text - used, "%spressure %.4g",
+                                 used ? ", " : "", pressure);
+    if (inflation->first_volume > 0)
+        used += (size_t)snprintf(text + used, sizeof text - used, ", volume x %.3g",
+                                 measure_volume(&balloon->mesh, balloon->body.x) /
+                                     inflation->first_volume);
+    if (balloon->correct.on)
+        snprintf(text + used, sizeof text - used, "%s%d springs corrected", used ? ", " : "",
+                 balloon->correct.corrected);
+
+    char label[32];
+    snprintf(label, sizeof label, "%sballoon %d", world->selected == b ? "> " : "", b);
+    panel_row(panel, label, "%s", text);
+}
+
+static void balloon_rows(Panel* panel, const World* world) {
+    const int count = world->balloon_count;
+    for (int b = 0; b < count && b < BALLOONS_MOST; b++)
+        balloon_row(panel, world, b);
+    if (count > BALLOONS_MOST)
+        panel_row(panel, "", "and %d more", count - BALLOONS_MOST);
+}
+
+void status_take(Panel* panel, const World* world, const Picture* picture, const Status* status) {
+    panel->row_count = 0;
+    title(panel, world);
+    time_rows(panel, world, status);
+    mode_row(panel, picture, status->mode);
+    balloon_rows(panel, world);
+
+    panel->alarm = world->blowup.halted;
+    panel_text(panel->message, sizeof panel->message,
+               panel->alarm ? world->blowup.text : status->message);
+}

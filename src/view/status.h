@@ -1,0 +1,22 @@
+/// What the overlay says about a world: time, step, pressure, volume, and sentences.
+#ifndef BALLOON_VIEW_STATUS_H
+#define BALLOON_VIEW_STATUS_H
+
+#include "view/mode.h"
+#include "view/panel.h"
+#include "view/picture.h"
+#include "world/world.h"
+
+/// What the world does not know of the session around it.
+typedef struct Status {
+    const Mode* mode;
+    int slow; ///< the world runs this many times slower than time
+    bool paused;
+    double frame_ms;     ///< wall time of a frame [ms]; 0: not shown
+    const char* message; ///< a sentence for the lower rim; "": none. A blow-up comes first
+} Status;
+
+/// Fill title, rows, message and alarm; the boxes' visibility and the keys are the caller's.
+void status_take(Panel* panel, const World* world, const Picture* picture, const Status* status);
+
+#endif

@@ -1,0 +1,103 @@
+#include "view/surface.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "view/color.h"
+
+void surface_open(PictureSkin* skin, const Balloon* balloon, int mesh_id) {
+    const Mesh* mesh = &balloon->mesh;
+    *skin = (PictureSkin){
+        .point_count = mesh->point_count,
+        .triangle_count = mesh->triangle_count,
+        .mesh_id = mesh_id,
+        .triangle = (const int(*)[3])mesh->triangle,
+        .position = new_array(float[3], mesh->point_count),
+        .normal = new_array(float[3], mesh->point_count),
+        .stretch = new_array(float, mesh->point_count),
+        .tint = new_array(float[3], mesh->point_count),
+        .two_sided = !mesh->closed,
+    };
+    color_linear(balloon->color, skin->color);
+}
+
+static double rest_length(const Mesh* mesh, int edge) {
+    return dlength(mesh->point[mesh->edge[edge][0]] - mesh->point[mesh->edge[edge][1]]);
+}
+
+float surface_grain(const Balloon* balloon) {
+    const Mesh* mesh = &balloon->mesh;
+    double sum = 0;
+    for (int e = 0; e < mesh->edge_count; e++)
+        sum += rest_length(mesh, e);
+    return (float)(balloon->body.scale * sum / mesh->edge_count);
+}
+
+static void positions(PictureSkin* skin, const real4* x) {
+    for (int i = 0; i < skin->point_count; i++)
+        for (int k = 0; k < 3; k++)
+            skin->position[i][k] = (float)x[i][k];
+}
+
+/// Twice a face's area vector: the cross product of its diagonals, or of two edges.
+static double4 area_vector(const int face[4], const real4* x) {
+    const double4 a = to_double4(x[face[0]]), b = to_double4(x[face[1]]);
+    const double4 c = to_double4(x[face[2]]);
+    if (face[3] == NONE)
+        return dcross(b - a, c - a);
+    return dcross(c - a, to_double4(x[face[3]]) - b);
+}
+
+static void normals(PictureSkin* skin, const Mesh* mesh, const Body* body) {
+    memset(skin->normal, 0, (size_t)skin->point_count * sizeof *skin->normal);
+
+    // in units of the body's size, so that single precision holds tiny and huge skins alike
+    const double unit = 1 / (body->size * body->size);
+    for (int f = 0; f < mesh->face_count; f++) {
+        const int* face = mesh->face[f];
+        const double4 vector = unit * area_vector(face, body->x);
+        for (int c = 0; c < face_corners(face); c++)
+            for (int k = 0; k < 3; k++)
+                skin->normal[face[c]][k] += (float)vector[k];
+    }
+
+    for (int i = 0; i < skin->point_count; i++) {
+        float* n = skin->normal[i];
+        const float size = sqrtf(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        if (size > 0)
+            for (int k = 0; k < 3; k++)
+                n[k] /= size;
+        else
+            n[1] = 1; // a point whose faces have all folded up: any direction will do
+    }
+}
+
+static void stretches(PictureSkin* skin, const Mesh* mesh, const Body* body) {
+    memset(skin->stretch, 0, (size_t)skin->point_count * sizeof *skin->stretch);
+    for (int e = 0; e < mesh->edge_count; e++) {
+        const int a = mesh->edge[e][0], b = mesh->edge[e][1];
+        const double now = dlength(to_double4(body->x[a]) - to_double4(body->x[b]));
+        const float ratio = (float)(now / (body->scale * rest_length(mesh, e)));
+        skin->stretch[a] += ratio;
+        skin->stretch[b] += ratio;
+    }
+    for (int i = 0; i < skin->point_count; i++) {
+        const int valence = mesh->point_edge_from[i + 1] - mesh->point_edge_from[i];
+        skin->stretch[i] /= (float)valence;
+    }
+}
+
+void surface_take(PictureSkin* skin, const Balloon* balloon) {
+    positions(skin, balloon->body.x);
+    normals(skin, &balloon->mesh, &balloon->body);
+    stretches(skin, &balloon->mesh, &balloon->body);
+}
+
+void surface_close(PictureSkin* skin) {
+    free(skin->position);
+    free(skin->normal);
+    free(skin->stretch);
+    free(skin->tint);
+    *skin = (PictureSkin){0};
+}

@@ -1,0 +1,20 @@
+/// A balloon's surface as a picture needs it: positions, normals and stretch at each point.
+#ifndef BALLOON_VIEW_SURFACE_H
+#define BALLOON_VIEW_SURFACE_H
+
+#include "view/picture.h"
+#include "world/world.h"
+
+/// Arrays and what does not change from frame to frame.
+void surface_open(PictureSkin* skin, const Balloon* balloon, int mesh_id);
+
+/// The present positions; unit normals, the mean of the faces around a point weighted by area;
+/// stretch, the mean over the edges at a point of length over rest length.
+void surface_take(PictureSkin* skin, const Balloon* balloon);
+
+/// Mean length of an edge at rest, in world units: the measure of what is drawn on a skin.
+float surface_grain(const Balloon* balloon);
+
+void surface_close(PictureSkin* skin);
+
+#endif

@@ -1,0 +1,239 @@
+#include "world/balloon.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "mesh/load.h"
+
+static const double standard_ambient = 101325; ///< [Pa] standard atmosphere, ISO 2533
+static const double given_threshold = 0.1;     ///< [1] the mass-spring authors' own
+
+/// Where no scene names a colour: distinct at a glance, also for most colour-blind eyes.
+static const float palette[][3] = {
+    {0.90f, 0.16f, 0.17f}, {0.10f, 0.45f, 0.85f}, {0.98f, 0.72f, 0.10f}, {0.16f, 0.62f, 0.30f},
+    {0.62f, 0.25f, 0.72f}, {0.98f, 0.45f, 0.12f}, {0.10f, 0.68f, 0.70f}, {0.93f, 0.35f, 0.60f}};
+
+static void take_color(Balloon* balloon, int number) {
+    const int colors = sizeof palette / sizeof *palette;
+    const BalloonDef* def = balloon->def;
+    for (int k = 0; k < 3; k++)
+        balloon->color[k] = def->color ? (float)def->color[k] : palette[number % colors][k];
+}
+
+/// Fit and centre the model where the def gives a size; then scale it.
+static void place_body(Balloon* balloon) {
+    const BalloonDef* def = balloon->def;
+    Placement place = {.scale = def->scale > 0 ? def->scale : 1, .turn = def->turn};
+    if (def->size > 0) {
+        double4 low = {INFINITY, INFINITY, INFINITY, 0}, high = -low;
+        for (int i = 0; i < balloon->mesh.point_count; i++)
+            for (int k = 0; k < 3; k++) {
+                low[k] = fmin(low[k], balloon->mesh.point[i][k]);
+                high[k] = fmax(high[k], balloon->mesh.point[i][k]);
+            }
+        const double4 side = high - low;
+        place.scale *= def->size / fmax(side[0], fmax(side[1], side[2]));
+        for (int k = 0; k < 3; k++)
+            place.center[k] = (low[k] + high[k]) / 2;
+    }
+    for (int k = 0; def->position && k < 3; k++)
+        place.position[k] = def->position[k];
+    body_make(&balloon->body, &balloon->mesh, &place, def->mass.per_particle);
+}
+
+static int lowest(const Body* body, int sign) {
+    int best = 0;
+    for (int i = 1; i < body->count; i++)
+        if ((real)sign * body->x[i][1] < (real)sign * body->x[best][1])
+            best = i;
+    return best;
+}
+
+static int nearest(const Body* body, const double to[3]) {
+    const double4 end = {to[0], to[1], to[2], 0};
+    int best = 0;
+    double least = INFINITY;
+    for (int i = 0; i < body->count; i++) {
+        const double distance = dlength(to_double4(body->x[i]) - end);
+        if (distance < least) {
+            least = distance;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/// The particle that a string's `at` names; scene_load has judged the word, not yet the number.
+static int particle_at(const Body* body, const StringDef* def) {
+    if (!def->at || strcmp(def->at, "nearest") == 0)
+        return def->to ? nearest(body, def->to) : lowest(body, 1);
+    if (strcmp(def->at, "lowest") == 0)
+        return lowest(body, 1);
+    if (strcmp(def->at, "highest") == 0)
+        return lowest(body, -1);
+    const long loaded = strtol(def->at, NULL, 10);
+    return loaded < body->count ? body->mesh->inside[loaded] : NONE;
+}
+
+/// Straight down from a particle: on the floor, or the balloon's own size below it.
+static void below(const Body* body, const WorldDef* world, int particle, double to[3]) {
+    const double4 x = to_double4(body->x[particle]);
+    to[0] = x[0];
+    to[1] = world->floor ? *world->floor : x[1] - body->size;
+    to[2] = x[2];
+}
+
+static void tie(Body* body, const WorldDef* world, const StringDef* def, int particle) {
+    double to[3];
+    below(body, world, particle, to);
+    body_tie(body, particle, def->to ? def->to : to, def->stiffness,
+             def->slack > 0 ? def->slack : 1);
+}
+
+static void take_strings(Balloon* balloon, const WorldDef* world) {
+    for (unsigned k = 0; k < balloon->def->strings_count; k++) {
+        const StringDef* string = &balloon->def->strings[k];
+        tie(&balloon->body, world, string, particle_at(&balloon->body, string));
+    }
+    balloon->strings = balloon->body.string_count;
+}
+
+static void take_inflation(Balloon* balloon) {
+    const InflationDef* def = balloon->def->inflation;
+    if (!def)
+        return;
+    balloon->given = def->amount;
+    balloon->least = def->least;
+    balloon->most = def->most > 0 ? def->most : def->amount > 0 ? 10 * def->amount : 100;
+    balloon->rate = def->rate > 0 ? def->rate : (balloon->most - balloon->least) / 10;
+    body_inflate(&balloon->body, def->law, def->amount,
+                 def->ambient ? *def->ambient : standard_ambient);
+}
+
+static void take_correction(Balloon* balloon) {
+    const CorrectionDef* def = balloon->def->correction;
+    Correct* correct = &balloon->correct;
+    if (def) {
+        correct->threshold[STRUCTURAL] = def->structural;
+        correct->threshold[SHEAR] = def->shear;
+        correct->threshold[FLEXION] = def->flexion;
+        correct->tarantino = def->tarantino;
+    } else {
+        for (int kind = 0; kind < SPRING_KINDS; kind++)
+            correct->threshold[kind] = given_threshold;
+    }
+    correct_switch(correct, &balloon->body, def != NULL);
+}
+
+/// Everything of a balloon but its mesh, from its def.
+static void make(Balloon* balloon, const WorldDef* world) {
+    const BalloonDef* def = balloon->def;
+    Body* body = &balloon->body;
+    place_body(balloon);
+    body->gravity = world->gravity ? *world->gravity : world->units == UNITS_PAPER ? 9.8 : 9.81;
+    if (def->hold_rim)
+        body_hold_rim(body);
+
+    const SpringsDef* springs = def->skin.springs;
+    if (springs) {
+        const double stiffness[SPRING_KINDS] = {springs->structural, springs->shear,
+                                                springs->flexion};
+        body_add_springs(body, stiffness, springs->law);
+        if (springs->torsion > 0)
+            body_add_torsion(body, springs->torsion);
+    }
+    take_inflation(balloon);
+    if (def->helium)
+        body->helium = (Helium){def->helium->base, def->helium->per_inflation};
+    if (def->damping)
+        body->damping = (Damping){def->damping->coefficient, def->damping->rate};
+    take_strings(balloon, world);
+    take_correction(balloon);
+    balloon_fill(balloon, 0);
+}
+
+/// What only the mesh can tell: numbers of particles, and whether there is an inside.
+static bool suits(const Balloon* balloon, const char* place, int number, Fault* fault) {
+    const BalloonDef* def = balloon->def;
+    const bool encloses = def->inflation && def->inflation->law != INFLATE_AREA &&
+                          def->inflation->law != INFLATE_NONE;
+    if (encloses && !balloon->mesh.closed)
+        return fault_set(fault, place,
+                         "balloons.%d: %s is open, and '%s' inflation needs a closed mesh; take "
+                         "law 'area' or close it",
+                         number, def->model, inflation_law_name[def->inflation->law]);
+    for (unsigned k = 0; k < def->strings_count; k++)
+        if (def->strings[k].at && def->strings[k].at[0] >= '0' && def->strings[k].at[0] <= '9' &&
+            strtol(def->strings[k].at, NULL, 10) >= balloon->mesh.point_count)
+            return fault_set(fault, place,
+                             "balloons.%d.strings.%u.at: %s has particles 0 to %d, not %s", number,
+                             k, def->model, balloon->mesh.point_count - 1, def->strings[k].at);
+    return true;
+}
+
+bool balloon_open(Balloon* balloon, const WorldDef* def, int number, Fault* fault) {
+    *balloon = (Balloon){.def = &def->balloons[number]};
+    char path[512];
+    MeshReport report = {0};
+    if (!scene_model_path(def, balloon->def->model, path, fault) ||
+        !mesh_load(path, &balloon->mesh, &report, fault) ||
+        !suits(balloon, def->file, number, fault))
+        return false;
+
+    take_color(balloon, number);
+    make(balloon, def);
+    balloon->good_x = new_array(real4, balloon->body.count);
+    balloon->good_v = new_array(real4, balloon->body.count);
+    return true;
+}
+
+void balloon_reset(Balloon* balloon, const WorldDef* def) {
+    body_free(&balloon->body);
+    correct_free(&balloon->correct);
+    balloon->hand = 0;
+    make(balloon, def);
+}
+
+void balloon_fill(Balloon* balloon, double t) {
+    if (!balloon->def->inflation)
+        return;
+    double amount = balloon->given;
+    const FillDef* fill = balloon->def->inflation->fill;
+    if (fill) {
+        const double part = fmin(fmax((t - fill->start) / fill->seconds, 0), 1);
+        amount += part * (fill->to - balloon->given);
+    }
+    balloon->body.inflation.amount = amount + balloon->hand;
+}
+
+void balloon_blow(Balloon* balloon, double seconds) {
+    Inflation* inflation = &balloon->body.inflation;
+    if (inflation->law == INFLATE_NONE)
+        return;
+    // a scene may start outside the keys' limits; the keys never push it further out
+    const double now = inflation->amount;
+    const double most = fmax(balloon->most, now), least = fmin(balloon->least, now);
+    const double next = fmin(fmax(now + seconds * balloon->rate, least), most);
+    balloon->hand += next - now;
+    inflation->amount = next;
+}
+
+void balloon_tie(Balloon* balloon, const WorldDef* def, bool tied) {
+    Body* body = &balloon->body;
+    if (tied && balloon->strings == 0) {
+        const StringDef string = {.stiffness = 50, .slack = 1}; // the authors' stiffness
+        tie(body, def, &string, lowest(body, 1));
+        balloon->strings = 1;
+    }
+    body->string_count = tied ? balloon->strings : 0;
+}
+
+void balloon_close(Balloon* balloon) {
+    body_free(&balloon->body);
+    correct_free(&balloon->correct);
+    mesh_free(&balloon->mesh);
+    free(balloon->good_x);
+    free(balloon->good_v);
+    *balloon = (Balloon){0};
+}

@@ -1,0 +1,156 @@
+#include "world/command.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/// The balloons that keys act on: [first, last).
+static int first(const World* world) {
+    return world->selected == ALL_BALLOONS ? 0 : world->selected;
+}
+
+static int last(const World* world) {
+    return world->selected == ALL_BALLOONS ? world->balloon_count : world->selected + 1;
+}
+
+static void inflate(World* world, double h) {
+    for (int b = first(world); b < last(world); b++)
+        balloon_blow(&world->balloon[b], h);
+}
+
+static void deflate(World* world, double h) {
+    for (int b = first(world); b < last(world); b++)
+        balloon_blow(&world->balloon[b], -h);
+}
+
+/// all, 0, 1, …, all
+static void select_next(World* world) {
+    world->selected++;
+    if (world->selected == world->balloon_count || world->balloon_count == 1)
+        world->selected = ALL_BALLOONS;
+}
+
+static void correction(World* world) {
+    for (int b = first(world); b < last(world); b++) {
+        Balloon* balloon = &world->balloon[b];
+        correct_switch(&balloon->correct, &balloon->body, !balloon->correct.on);
+    }
+}
+
+static void tarantino(World* world) {
+    for (int b = first(world); b < last(world); b++) {
+        Balloon* balloon = &world->balloon[b];
+        balloon->correct.tarantino = !balloon->correct.tarantino;
+        correct_switch(&balloon->correct, &balloon->body, true);
+    }
+}
+
+static void string(World* world) {
+    for (int b = first(world); b < last(world); b++) {
+        Balloon* balloon = &world->balloon[b];
+        balloon_tie(balloon, &world->def, balloon->body.string_count == 0);
+    }
+}
+
+// clang-format off
+const Command command_table[] = {
+    {.name = "inflate",    .key = "up",    .about = "inflate while held",                 .hold = inflate},
+    {.name = "deflate",    .key = "down",  .about = "deflate while held",                 .hold = deflate},
+    {.name = "select",     .key = "tab",   .about = "select the next balloon, then all",  .down = select_next},
+    {.name = "string",     .key = "t",     .about = "tie or untie the strings",           .down = string},
+    {.name = "correction", .key = "c",     .about = "correct over-stretched springs (Provot)", .down = correction},
+    {.name = "tarantino",  .key = "v",     .about = "corrected springs rest for a step (Tarantino)", .down = tarantino},
+    {.name = "reset",      .key = "r",     .about = "start the scene again",              .down = world_reset},
+};
+// clang-format on
+const int command_count = sizeof command_table / sizeof *command_table;
+
+int command_find(const char* name) {
+    for (int k = 0; k < command_count; k++)
+        if (strcmp(command_table[k].name, name) == 0)
+            return k;
+    return -1;
+}
+
+static bool press(World* world, const Event* event, Fault* fault) {
+    const int row = command_find(event->name);
+    if (row < 0)
+        return fault_set(fault, event->name, "no such key in an input log; see balloon --help");
+    const bool down = strcmp(event->value, "down") == 0;
+    world->held = down ? world->held | 1u << row : world->held & ~(1u << row);
+    world->look = true;
+    if (down && command_table[row].down)
+        command_table[row].down(world);
+    return true;
+}
+
+/// What a log may set while a world runs: a number of one balloon, or of the world.
+typedef struct Setting {
+    const char* key;
+    double* (*of)(Balloon* balloon);
+} Setting;
+
+static double* amount_of(Balloon* balloon) {
+    return balloon->def->inflation ? &balloon->given : NULL;
+}
+
+static double* base_of(Balloon* balloon) {
+    return &balloon->body.helium.base;
+}
+
+static double* per_inflation_of(Balloon* balloon) {
+    return &balloon->body.helium.per_inflation;
+}
+
+static double* coefficient_of(Balloon* balloon) {
+    return &balloon->body.damping.coefficient;
+}
+
+static double* rate_of(Balloon* balloon) {
+    return &balloon->body.damping.rate;
+}
+
+static double* gravity_of(Balloon* balloon) {
+    return &balloon->body.gravity;
+}
+
+static const Setting setting_table[] = {
+    {"inflation.amount", amount_of},
+    {"helium.base", base_of},
+    {"helium.per_inflation", per_inflation_of},
+    {"damping.coefficient", coefficient_of},
+    {"damping.rate", rate_of},
+    {"gravity", gravity_of},
+};
+
+/// "balloons.2.damping.rate" or, of all balloons, "gravity".
+static bool set(World* world, const Event* event, Fault* fault) {
+    char* end;
+    const double value = strtod(event->value, &end);
+    if (end == event->value || *end || !isfinite(value))
+        return fault_set(fault, event->name, "'%s' is not a number", event->value);
+
+    int from = 0, to = world->balloon_count, used = 0;
+    if (sscanf(event->name, "balloons.%d.%n", &from, &used) == 1 && used > 0) {
+        if (from < 0 || from >= world->balloon_count)
+            return fault_set(fault, event->name, "there are balloons 0 to %d",
+                             world->balloon_count - 1);
+        to = from + 1;
+    }
+    for (size_t k = 0; k < sizeof setting_table / sizeof *setting_table; k++) {
+        if (strcmp(setting_table[k].key, event->name + used) != 0)
+            continue;
+        for (int b = from; b < to; b++) {
+            double* number = setting_table[k].of(&world->balloon[b]);
+            if (!number)
+                return fault_set(fault, event->name, "balloon %d has none", b);
+            *number = value;
+        }
+        world->look = true;
+        return true;
+    }
+    return fault_set(fault, event->name, "cannot be set while a scene runs");
+}
+
+bool world_event(World* world, const Event* event, Fault* fault) {
+    return event->kind == EVENT_KEY ? press(world, event, fault) : set(world, event, fault);
+}

@@ -1,0 +1,124 @@
+#include "world/guard.h"
+
+#include <string.h>
+
+#include "world/world.h"
+
+const char* const guard_name[GUARD_COUNT] = {"split", "stop", "off"};
+
+static void halt(World* world, int balloon, int particle) {
+    world->blowup.halted = true;
+    world->blowup.balloon = balloon;
+    world->blowup.particle = particle;
+    world->blowup.step = world->step_count;
+}
+
+/// The smallest bound of all balloons; which one has it.
+static double smallest_bound(const World* world, int* balloon) {
+    double least = INFINITY;
+    *balloon = 0;
+    for (int b = 0; b < world->balloon_count; b++) {
+        const double bound = method_bound(world->method, &world->balloon[b].body);
+        if (bound < least) {
+            least = bound;
+            *balloon = b;
+        }
+    }
+    return least;
+}
+
+static void refuse(World* world, int balloon, const char* remedy) {
+    halt(world, balloon, NONE);
+    snprintf(world->blowup.text, sizeof world->blowup.text,
+             "balloon %d (%s): step %g s is above the largest stable one, %.3g s, at step %ld; %s",
+             balloon, world->balloon[balloon].def->model, world->step, world->bound,
+             world->step_count, remedy);
+}
+
+void guard_look(World* world) {
+    world->look = false;
+    if (world->def.guard == GUARD_OFF)
+        return;
+
+    int balloon;
+    world->bound = smallest_bound(world, &balloon);
+    const double parts = ceil(world->step / world->bound);
+    if (world->def.guard == GUARD_STOP && parts > 1) {
+        refuse(world, balloon, "take a smaller --step, or --guard split");
+        return;
+    }
+    if (!(parts <= SUBSTEPS_MOST)) {
+        refuse(world, balloon, "no sensible number of substeps makes up for that");
+        return;
+    }
+    if ((int)parts > world->substeps)
+        snprintf(world->notice, sizeof world->notice,
+                 "step %g s is above the largest stable one, %.3g s: each is made in %d parts",
+                 world->step, world->bound, (int)parts);
+    world->substeps = parts > 1 ? (int)parts : 1;
+}
+
+void guard_keep(World* world) {
+    for (int b = 0; b < world->balloon_count; b++) {
+        Balloon* balloon = &world->balloon[b];
+        const size_t bytes = (size_t)balloon->body.count * sizeof(real4);
+        memcpy(balloon->good_x, balloon->body.x, bytes);
+        memcpy(balloon->good_v, balloon->body.v, bytes);
+    }
+    world->good_step = world->step_count;
+}
+
+static void put_back(World* world) {
+    for (int b = 0; b < world->balloon_count; b++) {
+        Balloon* balloon = &world->balloon[b];
+        const size_t bytes = (size_t)balloon->body.count * sizeof(real4);
+        memcpy(balloon->body.x, balloon->good_x, bytes);
+        memcpy(balloon->body.v, balloon->good_v, bytes);
+    }
+}
+
+/// The first particle whose position is not finite, or which moves by more than the balloon's first
+/// size in a step against the balloon's mean; NONE when all is well.
+static int bad_particle(const Body* body, double h) {
+    real4 sum = {0, 0, 0, 0};
+    for (int i = 0; i < body->count; i++)
+        sum += body->v[i];
+    const real4 mean = sum / (real)body->count;
+
+    const real most = (real)(body->size / h);
+    for (int i = 0; i < body->count; i++) {
+        const real4 v = body->v[i] - mean;
+        const real4 x = body->x[i];
+        // written so that a NaN fails
+        if (!(dot(v, v) <= most * most) || !(dot(x, x) < (real)INFINITY))
+            return i;
+    }
+    return NONE;
+}
+
+void guard_check(World* world) {
+    const double h = world->step / world->substeps;
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Balloon* balloon = &world->balloon[b];
+        const int bad = bad_particle(&balloon->body, h);
+        if (bad == NONE)
+            continue;
+        halt(world, b, balloon->mesh.loaded[bad]);
+        if (world->def.guard == GUARD_OFF) { // nobody has looked at the bound
+            int which;
+            put_back(world);
+            world->bound = smallest_bound(world, &which);
+        }
+        snprintf(world->blowup.text, sizeof world->blowup.text,
+                 "balloon %d (%s) went bad in step %ld, at %.4g s: particle %d %s; the step is "
+                 "%.3g s, the largest stable one %.3g s; the state of step %ld is back",
+                 b, balloon->def->model, world->step_count, world_time(world),
+                 balloon->mesh.loaded[bad],
+                 "is not finite or outran the balloon's own size in one step", h, world->bound,
+                 world->good_step);
+        put_back(world);
+        return;
+    }
+    if (world->step_count % GUARD_INTERVAL == 0)
+        guard_keep(world);
+}

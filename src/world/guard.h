@@ -1,0 +1,34 @@
+/// Holds the step against the scene's stability bound, and catches a state that goes bad.
+///
+/// The bound of semi-implicit Euler for the largest squared frequency w^2 and the damping rate
+/// g = c/m is h = (-g + sqrt(g^2 + 4 w^2)) / w^2 (solve/method.h). Where the scene's step is above
+/// it, `split` divides the step into equal substeps, `stop` refuses, `off` lets it run. The bound
+/// is taken again every GUARD_INTERVAL steps, for it moves with the pressure.
+///
+/// A state is bad when a particle's position is not finite, or when in one step it moves by more
+/// than the balloon's first size against the balloon's mean: found at that step in every mode.
+/// The last good state, at most GUARD_INTERVAL steps old, is put back and the world halts.
+#ifndef BALLOON_WORLD_GUARD_H
+#define BALLOON_WORLD_GUARD_H
+
+typedef enum Guard { GUARD_SPLIT, GUARD_STOP, GUARD_OFF, GUARD_COUNT } Guard;
+extern const char* const guard_name[GUARD_COUNT];
+
+enum {
+    GUARD_INTERVAL = 16,  ///< [steps] between two looks at the bound
+    SUBSTEPS_MOST = 10000 ///< more than this is a scene that asks for the wrong thing
+};
+
+typedef struct World World;
+
+/// Take the bound of the present state, and split the step or refuse it.
+void guard_look(World* world);
+
+/// Remember the present state as the last good one.
+void guard_keep(World* world);
+
+/// After a step: find a bad state, name it, put the last good one back and halt; else keep this one
+/// every GUARD_INTERVAL steps.
+void guard_check(World* world);
+
+#endif

@@ -1,0 +1,24 @@
+/// What can be measured of a world, in double, and the CSV that prints it.
+///
+/// The columns are a table: each row has a name, whether a balloon has it, and how it is measured.
+/// What a scene does not model has no column.
+#ifndef BALLOON_WORLD_PROBE_H
+#define BALLOON_WORLD_PROBE_H
+
+#include <stdio.h>
+
+#include "world/world.h"
+
+/// Header: "t,balloon0.volume,…".
+void probe_csv_header(const World* world, FILE* out);
+
+/// One row, %.17g each.
+void probe_csv_row(const World* world, FILE* out);
+
+/// A column's value by its name ("balloon0.volume"); false when this world has no such column.
+bool probe_value(const World* world, const char* column, double* value);
+
+/// All skins as they are now, one OBJ: vertices and faces in loaded order, balloon after balloon.
+void probe_obj(const World* world, FILE* out);
+
+#endif

@@ -1,0 +1,203 @@
+#include "world/record.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "world/command.h"
+
+enum {
+    VERSION = 1,      ///< of the log's form
+    LINE_MOST = 256,  ///< [bytes] longest line of an event, which has at most 150
+    STEP_DIGITS = 18, ///< what has more may not fit a long
+};
+static const char title[] = "# balloon input ";
+
+/// Where a log is being read, for faults.
+typedef struct Line {
+    const char* file;
+    long number;
+    Fault* fault;
+} Line;
+
+/// A kind of event by its word, and what its line looks like.
+typedef struct Kind {
+    const char* name;
+    const char* form;
+    bool (*judge)(const Event* event, const Line* line);
+} Kind;
+
+static bool judge_key(const Event* event, const Line* line) {
+    if (strcmp(event->value, "down") != 0 && strcmp(event->value, "up") != 0)
+        return fault_at(line->fault, line->file, line->number,
+                        "a key goes down or up, and not '%s'", event->value);
+    if (command_find(event->name) >= 0)
+        return true;
+
+    char names[256] = "";
+    size_t length = 0;
+    for (int i = 0; i < command_count && length < sizeof names; i++)
+        length += (size_t)snprintf(names + length, sizeof names - length, "%s%s", i ? ", " : "",
+                                   command_table[i].name);
+    return fault_at(line->fault, line->file, line->number, "no key '%s'; there are %s", event->name,
+                    names);
+}
+
+static bool judge_set(const Event* event, const Line* line) {
+    (void)event;
+    (void)line;
+    return true; // the world knows what may be set while it runs
+}
+
+static const Kind kind_table[] = {
+    [EVENT_KEY] = {"key", "STEP key NAME down|up", judge_key},
+    [EVENT_SET] = {"set", "STEP set KEY VALUE", judge_set},
+};
+enum { KINDS = sizeof kind_table / sizeof kind_table[0] };
+
+static bool kind_fault(const Line* line, const char* word, size_t length) {
+    char names[128] = "";
+    size_t used = 0;
+    for (int i = 0; i < KINDS && used < sizeof names; i++)
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "",
+                                 kind_table[i].name);
+    return fault_at(line->fault, line->file, line->number, "no event '%.*s'; there are %s",
+                    (int)length, word, names);
+}
+
+static int find_kind(const char* word, size_t length) {
+    for (int i = 0; i < KINDS; i++)
+        if (strlen(kind_table[i].name) == length && memcmp(kind_table[i].name, word, length) == 0)
+            return i;
+    return KINDS;
+}
+
+// Take "NAME VALUE" apart; the value is the rest of the line. False if one is missing or too long.
+static bool take_pair(const char* words, Event* event) {
+    const size_t name = strcspn(words, " ");
+    if (name == 0 || name >= sizeof event->name || words[name] != ' ')
+        return false;
+    const char* value = words + name + 1;
+    if (!value[0] || strlen(value) >= sizeof event->value)
+        return false;
+    memcpy(event->name, words, name);
+    memcpy(event->value, value, strlen(value));
+    return true;
+}
+
+// One line without its end: STEP KIND NAME VALUE, single spaces between them.
+static bool read_event(const char* text, Event* event, const Line* line) {
+    *event = (Event){0};
+    const size_t digits = strspn(text, "0123456789");
+    if (digits == 0 || digits > STEP_DIGITS || text[digits] != ' ')
+        return fault_at(line->fault, line->file, line->number,
+                        "an event begins with the number of its step, as in 12 key inflate down");
+    event->step = strtol(text, NULL, 10);
+
+    const char* word = text + digits + 1;
+    const size_t length = strcspn(word, " ");
+    const int kind = find_kind(word, length);
+    if (kind == KINDS)
+        return kind_fault(line, word, length);
+    event->kind = (EventKind)kind;
+    if (word[length] != ' ' || !take_pair(word + length + 1, event))
+        return fault_at(line->fault, line->file, line->number, "this is not %s",
+                        kind_table[kind].form);
+    return kind_table[kind].judge(event, line);
+}
+
+// The first line says which form of log this is.
+static bool judge_title(const char* text, const Line* line) {
+    const size_t length = strlen(title);
+    if (strncmp(text, title, length) == 0 && strtol(text + length, NULL, 10) == VERSION)
+        return true;
+    return fault_at(line->fault, line->file, line->number, "an input log begins with '%s%d SCENE'",
+                    title, VERSION);
+}
+
+// Cut the end of a line off. False where there is none: the line is too long, or has a zero byte.
+static bool cut_end(char* text, bool last) {
+    const size_t length = strlen(text);
+    const bool ended = length > 0 && text[length - 1] == '\n';
+    if (ended)
+        text[length - 1] = '\0';
+    return ended || (last && length < LINE_MOST - 1);
+}
+
+static bool read_line(char* text, bool last, Record* record, const Line* line) {
+    if (!cut_end(text, last))
+        return fault_at(line->fault, line->file, line->number,
+                        "this is no line of an input log: it is too long, or not text");
+    if (line->number == 1)
+        return judge_title(text, line);
+    if (text[0] == '#' || text[0] == '\0')
+        return true;
+
+    Event event;
+    if (!read_event(text, &event, line))
+        return false;
+    const long before = record->count ? record->event[record->count - 1].step : 0;
+    if (event.step < before)
+        return fault_at(line->fault, line->file, line->number,
+                        "step %ld comes after step %ld: steps do not run backwards", event.step,
+                        before);
+    record_add(record, &event, NULL);
+    return true;
+}
+
+static bool read_all(FILE* in, Record* record, Line* line) {
+    char text[LINE_MOST];
+    while (fgets(text, sizeof text, in)) {
+        line->number++;
+        if (!read_line(text, feof(in), record, line))
+            return false;
+    }
+    if (ferror(in))
+        return fault_set(line->fault, line->file, "it cannot be read: %s", strerror(errno));
+    return line->number > 0 || fault_set(line->fault, line->file, "this input log is empty");
+}
+
+bool record_load(const char* file, Record* record, Fault* fault) {
+    *record = (Record){0};
+    FILE* in = fopen(file, "r");
+    if (!in)
+        return fault_set(fault, file, "it cannot be opened: %s", strerror(errno));
+
+    Line line = {.file = file, .fault = fault};
+    const bool good = read_all(in, record, &line);
+    fclose(in);
+    if (!good)
+        record_free(record);
+    return good;
+}
+
+void record_title(const char* scene, FILE* log) {
+    fprintf(log, "%s%d %s\n", title, VERSION, scene);
+}
+
+void record_add(Record* record, const Event* event, FILE* log) {
+    if (record->count == record->room) {
+        Event* old = record->event;
+        record->room = record->room ? 2 * record->room : 64;
+        record->event = new_array(Event, record->room);
+        if (old)
+            memcpy(record->event, old, (size_t)record->count * sizeof *old);
+        free(old);
+    }
+    record->event[record->count++] = *event;
+    if (log)
+        fprintf(log, "%ld %s %s %s\n", event->step, kind_table[event->kind].name, event->name,
+                event->value);
+}
+
+const Event* record_due(Record* record, long step) {
+    if (record->next >= record->count || record->event[record->next].step > step)
+        return NULL;
+    return &record->event[record->next++];
+}
+
+void record_free(Record* record) {
+    free(record->event);
+    *record = (Record){0};
+}

@@ -1,0 +1,50 @@
+/// The input log: everything a user does to a world, one event a line, stamped with the step before
+/// which it happens, in world units. Any session can be replayed to the same bits.
+///
+///     # balloon input 1 SCENE
+///     STEP key NAME down|up
+///     STEP set KEY VALUE
+///
+/// STEP counts world_step calls since the session began; a reset does not turn it back.
+/// Keys act on the selected balloon, or on all if none is selected.
+/// The first line is always there; further lines that begin with # and empty ones are skipped.
+/// A VALUE is the rest of its line.
+#ifndef BALLOON_WORLD_RECORD_H
+#define BALLOON_WORLD_RECORD_H
+
+#include <stdio.h>
+
+#include "base/fault.h"
+
+typedef enum EventKind { EVENT_KEY, EVENT_SET } EventKind;
+
+typedef struct Event {
+    long step;
+    EventKind kind;
+    char name[64];  ///< key: a row of the command table (world/command.h); set: the scene's key
+    char value[64]; ///< key: "down" or "up"; set: the value
+} Event;
+
+typedef struct Record {
+    int count;
+    int room;
+    Event* event; ///< [room] in order of step
+    int next;     ///< the first event that was not replayed yet
+} Record;
+
+/// Read a log. A line that cannot be understood, a key that is not in the command table, or steps
+/// that run backwards are faults with line.
+bool record_load(const char* file, Record* record, Fault* fault);
+
+/// Write a log's first line.
+void record_title(const char* scene, FILE* log);
+
+/// Append to the record, and to `log` if it is not NULL.
+void record_add(Record* record, const Event* event, FILE* log);
+
+/// The next event due at or before `step`, or NULL.
+const Event* record_due(Record* record, long step);
+
+void record_free(Record* record);
+
+#endif

@@ -1,0 +1,176 @@
+/// A scene file as plain data: YAML, y up, SI units or the mass-spring paper's own.
+///
+/// The structs below are the scene format: one field, one key, one row of scene_schema.c, and where
+/// not every number makes sense one row of scene_range.c. A scene names only what it needs; what it
+/// does not name is neither computed nor stored, and stands here as a NULL pointer, an empty list
+/// or 0. Where 0 would be a value of its own, the field is a pointer and NULL says "not given".
+/// Keys that a scene must have are marked "required"; lists of numbers have exactly the length
+/// given.
+///
+///     title: The squirrel turns upside down
+///     units: paper
+///     step: 0.002
+///     balloons:
+///       - model: squirrel.obj
+///         skin: {springs: {structural: 50, shear: 10, flexion: 10, law: hooke}}
+///         mass: {per_particle: 0.001}
+///         inflation: {law: area, amount: 20}
+///         strings: [{to: [0, -6, 0], at: nearest, stiffness: 50, slack: 1.2}]
+#ifndef BALLOON_WORLD_SCENE_H
+#define BALLOON_WORLD_SCENE_H
+
+#include <stddef.h>
+
+#include "base/fault.h"
+#include "body/body.h"
+#include "world/guard.h"
+
+typedef enum Units { UNITS_SI, UNITS_PAPER, UNITS_COUNT } Units;
+extern const char* const units_name[UNITS_COUNT];
+
+typedef enum Precision { PRECISION_ANY, PRECISION_FLOAT, PRECISION_DOUBLE, PRECISIONS } Precision;
+extern const char* const precision_name[PRECISIONS];
+
+/// `springs:` stiffness of each kind [N/m]; a kind that is 0 does not exist.
+typedef struct SpringsDef {
+    double structural;
+    double shear;
+    double flexion;
+    double torsion; ///< [N m], the one kind that acts on an angle
+    SpringLaw law;
+} SpringsDef;
+
+/// `skin:` what holds the particles together; NULL members are absent.
+typedef struct SkinDef {
+    SpringsDef* springs;
+} SkinDef;
+
+typedef struct MassDef {
+    double per_particle; ///< [kg] required
+} MassDef;
+
+/// `fill:` the amount goes in a straight line to `to` between start and start + seconds.
+typedef struct FillDef {
+    double to;      ///< in units of amount, required
+    double start;   ///< [s]
+    double seconds; ///< [s] greater than 0, required
+} FillDef;
+
+typedef struct InflationDef {
+    InflationLaw law; ///< required
+    double amount; ///< area: k_normal; pressure: [Pa] gauge; gas: parts of what fills V0 at ambient
+    double rate;   ///< amount per second while the key is held; 0: a tenth of the range
+    double least;  ///< the keys stop here
+    double most;   ///< and here; 0: ten times the amount, or 100 where that is 0
+    double* ambient; ///< [Pa] pressure outside, for gas; NULL: 101325
+    FillDef* fill;
+} InflationDef;
+
+/// Helium: an upward acceleration base + per_inflation * amount [m/s^2].
+typedef struct HeliumDef {
+    double base;
+    double per_inflation;
+} HeliumDef;
+
+/// One of the two: a force -coefficient v, or -rate m v, on each particle.
+typedef struct DampingDef {
+    double coefficient; ///< [kg/s]
+    double rate;        ///< [1/s]
+} DampingDef;
+
+typedef struct StringDef {
+    double* to;       ///< [3] fixed end; NULL: straight down to the floor
+    char* at;         ///< particle: "nearest" to the fixed end, "lowest", "highest", or its number;
+                      ///< NULL: nearest, or lowest where `to` is NULL
+    double stiffness; ///< [N/m] required
+    double slack;     ///< free length as a ratio of the first length; 0: 1
+} StringDef;
+
+/// Thresholds: how far over its rest length a spring may stretch, as a ratio; 0: not corrected.
+typedef struct CorrectionDef {
+    double structural;
+    double shear;
+    double flexion;
+    bool tarantino; ///< a spring that was corrected exerts no force in the next step
+} CorrectionDef;
+
+typedef struct BalloonDef {
+    char* model;      ///< a shape, or an .obj beside the scene or in assets/models; required
+    double* position; ///< [3] added to the model's points; NULL: the origin
+    double size;      ///< first the model is centred on the origin and its longest side brought to
+                      ///< this length; 0: it stays where and as it is
+    double scale;     ///< factor on the model's points; 0: 1
+    double turn;      ///< [degrees] about y, before the position is added
+    double* color;    ///< [3] sRGB, 0…1; NULL: the next of the palette
+    SkinDef skin;
+    MassDef mass;  ///< required
+    bool hold_rim; ///< the points of an open mesh's rim do not move
+    InflationDef* inflation;
+    HeliumDef* helium;
+    DampingDef* damping;
+    CorrectionDef* correction;
+    StringDef* strings;
+    unsigned strings_count;
+} BalloonDef;
+
+/// `about:` what the scene is about, so that one can say what it may leave out.
+typedef struct AboutDef {
+    char* output;     ///< a CSV column, required
+    double at;        ///< [s] required
+    double tolerance; ///< relative, required
+} AboutDef;
+
+/// `camera:` where the eye is; a scene without one is framed as a whole.
+typedef struct CameraDef {
+    double* eye;  ///< [3] required
+    double* look; ///< [3] what it looks at, required
+} CameraDef;
+
+typedef struct WorldDef {
+    char* title;
+    Units units;
+    double step;     ///< [s] required
+    double* gravity; ///< [m/s^2] downward; NULL: 9.81, or 9.8 in the paper's units
+    double* floor;   ///< height of the floor [m]; NULL: none
+    Guard guard;
+    Precision precision;
+    char* method;   ///< a row of the method table; NULL: its first
+    char* show;     ///< the display mode to begin with; NULL: skin
+    double seconds; ///< how long headless runs last if nobody says; 0: 10
+    CameraDef* camera;
+    AboutDef* about;
+    unsigned about_count;
+    BalloonDef* balloons; ///< at least one, required
+    unsigned balloons_count;
+
+    char file[512]; ///< where it came from, for messages and for models beside it
+    void* loaded;   ///< what the YAML library allocated; scene_free() gives it back
+} WorldDef;
+
+/// One `--set KEY=VALUE`: any key of the scene by its path, and its new value in YAML, as in
+/// "balloons.0.inflation.amount=10" or "balloons.0.color=[1, 0, 0]".
+/// A path may name a key that the scene does not have yet; list items must exist.
+typedef struct SceneSet {
+    const char* text; ///< "KEY=VALUE" as typed
+} SceneSet;
+
+/// Load `name`: a scene by its name in assets/scenes or its path, or a mesh (shape or .obj), which
+/// gets default springs and a string to the floor. Overrides are applied before anything is judged.
+/// Unknown keys, wrong types, unknown names and numbers out of range are faults with file and line,
+/// or with the override that brought them in.
+bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault);
+
+/// Where a balloon's model is: a shape's name as it is, a file beside the scene's, in assets/models
+/// or as typed from the working folder. The fault names the places tried.
+bool scene_model_path(const WorldDef* def, const char* model, char path[512], Fault* fault);
+
+/// The paths of all shipped scenes in order of name: for `balloon list`, next and previous, tests.
+/// The caller frees each string and the array. Returns the count.
+int scene_list(char*** path);
+
+/// The name by which scene_load finds a shipped scene: "party", "fails/stiff".
+void scene_name(const char* path, char name[256]);
+
+void scene_free(WorldDef* def);
+
+#endif

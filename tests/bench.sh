@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# What the scenes cost: CPU time of stepping alone, median of three after a warm-up, one thread.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+build=${1:-build}
+echo "machine: $(sed -nE 's/^model name.*: //p' /proc/cpuinfo | head -1)"
+printf '%-24s %-7s %10s %16s %10s\n' scene state particles "ms per second" "x real time"
+for scene in assets/scenes/*.yaml; do
+    for program in balloon balloon-double; do
+        "$build/$program" run "$scene" --seconds 0.5 --quiet >/dev/null
+        ms=$(for _ in 1 2 3; do
+            "$build/$program" run "$scene" --seconds 2 --time --quiet |
+                sed -nE 's/.*: ([0-9.]+) ms per simulated second/\1/p'
+        done | sort -n | sed -n 2p)
+        particles=$("$build/$program" run "$scene" --seconds 0.001 --obj /dev/stdout --quiet | grep -c '^v ')
+        awk -v scene="$(basename "$scene" .yaml)" -v state="${program#balloon}" -v n="$particles" -v ms="$ms" \
+            'BEGIN { printf "%-24s %-7s %10d %16.3f %10.1f\n", scene, state == "" ? "float" : "double", n, ms, 1000 / ms }'
+    done
+done

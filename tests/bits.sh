@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Same input, same bits: two builds give the same state on every scene, in both precisions.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+one=$1 other=$2
+bad=0 count=0
+for scene in assets/scenes/*.yaml; do
+    for program in balloon balloon-double; do
+        a=$("$one/$program" run "$scene" --seconds 1 --hash --quiet | tail -1)
+        b=$("$other/$program" run "$scene" --seconds 1 --hash --quiet | tail -1)
+        count=$((count + 1))
+        if [ -z "$a" ] || [ "$a" != "$b" ]; then
+            echo "bits: $program on $scene: $one says $a, $other says $b"
+            bad=1
+        fi
+    done
+done
+[ $bad = 0 ] && echo "bits: $one and $other agree on $count runs"
+exit $bad

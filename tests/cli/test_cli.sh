@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# The command line: verbs, numbers, files, and one sentence for each kind of bad input.
+set -u
+cd "$(dirname "$0")/../.."
+build=$(realpath "${1:-build}")
+. tests/say.sh
+balloon=$build/balloon double=$build/balloon-double
+scratch=$(mktemp -d)
+trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
+is_double=0
+
+column() { # column FILE NAME ROW: a CSV's value
+    awk -F, -v name="$2" -v row="$3" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i }
+        NR == row + 2 { print $c }' "$1"
+}
+
+# --- the doctor
+for n in 2 3 7 12; do
+    out=$("$balloon" check cube-sphere:$n)
+    ok "cube-sphere of $n: structural springs" grep -qx "structural springs: $((12 * n * n))" <<<"$out"
+    ok "cube-sphere of $n: shear springs" grep -qx "shear springs: $((12 * n * n))" <<<"$out"
+    ok "cube-sphere of $n: flexion springs" grep -qx "flexion springs: $((12 * n * n - 12))" <<<"$out"
+done
+if [ -f ../shared/meshes/spot_quads.obj ]; then
+    out=$("$balloon" check ../shared/meshes/spot_quads.obj)
+    ok "spot has 2930 vertices" grep -qx "vertices: 2930" <<<"$out"
+    ok "spot has 2928 quads" grep -q "^faces: 2928 (2928 quads, 0 triangles)" <<<"$out"
+    ok "spot is closed" grep -qx "boundary edges: 0" <<<"$out"
+fi
+for model in assets/models/*.obj; do
+    out=$("$balloon" check "$model")
+    ok "$model is closed and all quads" grep -qE "^faces: ([0-9]+) \(\1 quads, 0 triangles\)" <<<"$out"
+    ok "$model has no rim" grep -qx "boundary edges: 0" <<<"$out"
+    quads=$(sed -nE 's/^faces: ([0-9]+) .*/\1/p' <<<"$out")
+    ok "$model has 400 to 12,000 quads" test "$quads" -ge 400 -a "$quads" -le 12000
+done
+ok "one model has 11,000 quads" test "$(for m in assets/models/*.obj; do "$balloon" check "$m"; done |
+    sed -nE 's/^faces: ([0-9]+) .*/\1/p' | sort -n | tail -1)" -ge 10900
+
+# --- the exact cube: corner radius r from the volume (2 r / sqrt 3)^3
+radius() { awk -v v="$1" 'BEGIN { printf "%.17g", v ^ (1 / 3) * sqrt(3) / 2 }'; }
+"$double" run exact-cube --csv "$scratch/cube.csv" --fps 200
+r=$(radius "$(column "$scratch/cube.csv" balloon0.volume 40)")
+ok "exact cube after 2,000 steps" near "$r" 1.77769353863185 1e-12
+for case in "2e-4 1.8610e-3" "1e-4 9.2498e-4" "5e-5 4.6116e-4"; do
+    set -- $case
+    "$double" run exact-cube --step "$1" --csv "$scratch/cube.csv" --fps 200 --seconds 0.005
+    r=$(radius "$(column "$scratch/cube.csv" balloon0.volume 1)")
+    error=$(awk -v r="$r" 'BEGIN { e = r - sqrt(3) - 0.0647575094287; print e < 0 ? -e : e }')
+    ok "exact cube's error at step $1" near "$error" "$2" 6e-8
+done
+"$balloon" run exact-cube --csv "$scratch/cube.csv" --fps 200
+r=$(radius "$(column "$scratch/cube.csv" balloon0.volume 40)")
+ok "exact cube in float, 2,000 roundings of 6e-8" near "$r" 1.77769353863185 2e-5
+ok "precision hands over to the sibling" test "$("$balloon" run exact-cube --precision double --hash)" \
+    = "$("$double" run exact-cube --hash)"
+
+# --- CSV, OBJ, hash
+"$balloon" run tether --csv "$scratch/t.csv" --seconds 1 --fps 7 --obj "$scratch/t.obj"
+ok "a row a frame and one for the start" test "$(wc -l <"$scratch/t.csv")" = 9
+ok "row k is after floor(k / (fps step)) steps" near "$(column "$scratch/t.csv" t 3)" 0.428 1e-12
+ok "the OBJ has the model's vertices" test "$(grep -c '^v ' "$scratch/t.obj")" = 386
+ok "the OBJ is a mesh again" grep -qx "vertices: 386" <("$balloon" check "$scratch/t.obj")
+a=$("$balloon" run party --seconds 1 --hash)
+ok "same input, same bits" test "$a" = "$("$balloon" run party --seconds 1 --hash --fps 13 --quiet)"
+ok "other input, other bits" test "$a" != "$("$balloon" run party --seconds 1 --hash --set balloons.0.inflation.amount=3)"
+printf '# balloon input 1 party\n30 key inflate down\n200 key inflate up\n210 key reset down\n' >"$scratch/log"
+ok "a log replays" test "$("$balloon" run party --seconds 1 --input "$scratch/log" --hash)" = \
+    "$("$balloon" run party --seconds 1 --input "$scratch/log" --hash)"
+ok "a log's reset starts again" test "$("$balloon" run party --seconds 0.62 --input "$scratch/log" --hash)" = \
+    "$("$balloon" run party --seconds 0.2 --hash)"
+ok "a session's log is written" "$balloon" run party --seconds 1 --input "$scratch/log" --record "$scratch/log2" --quiet
+ok "and holds the same events" diff <(grep -v '^#' "$scratch/log") <(grep -v '^#' "$scratch/log2")
+ok "rendering keeps the bits" test "$("$balloon" render party --seconds 0.2 --size 64x36 --out "$scratch/a.png" --hash --quiet | tail -1)" = \
+    "$("$balloon" run party --seconds 0.2 --hash)"
+ok "another working folder finds scenes and models" env -C / "$balloon" run party --seconds 0.01
+ok "list names every scene" test "$("$balloon" list | grep -c -E "$(ls -1 assets/scenes/*.yaml | xargs -n1 basename -s .yaml | paste -sd'|')")" -ge "$(ls assets/scenes/*.yaml | wc -l)"
+ok "help walks the keys" grep -q "inflate while held" <("$balloon" --help)
+ok "version says the precision" grep -q double <("$double" --version)
+
+# --- an install
+make -s BUILD="$build" PREFIX="$scratch/usr" install >/dev/null
+ok "an installed program finds its scenes" env -C / "$scratch/usr/bin/balloon" run party --seconds 0.01
+
+# --- bad input: one sentence, exit 1 (2 for wrong usage), nothing half-written
+bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
+usage() { ok "refuses usage: $*" refuses 2 "$1" "${@:2}"; }
+cube='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n'
+: >"$scratch/empty.obj"
+head -c 3000 /dev/urandom >"$scratch/binary.obj"
+printf "${cube}v 1 nan 0\nf 1 2 3 4\n" >"$scratch/nan.obj"
+printf "${cube}v 1 inf 0\nf 1 2 3 4\n" >"$scratch/inf.obj"
+printf "${cube}f 1 2 3 9\n" >"$scratch/index.obj"
+printf "${cube}f 1\n" >"$scratch/one.obj"
+printf "${cube}f 1 2\n" >"$scratch/two.obj"
+printf "${cube}v 0 2 0\nf 1 2 3 4 5\n" >"$scratch/five.obj"
+bad "nowhere.obj" "$balloon" check "$scratch/nowhere.obj"
+bad "empty.obj.*empty" "$balloon" check "$scratch/empty.obj"
+bad "binary.obj" "$balloon" check "$scratch/binary.obj"
+bad "nan.obj:5: " "$balloon" check "$scratch/nan.obj"
+bad "inf.obj:5: " "$balloon" check "$scratch/inf.obj"
+bad "index.obj:5: " "$balloon" check "$scratch/index.obj"
+bad "one.obj:5: " "$balloon" check "$scratch/one.obj"
+bad "two.obj:5: " "$balloon" check "$scratch/two.obj"
+bad "five.obj:6: .*5 corners" "$balloon" check "$scratch/five.obj"
+mkdir "$scratch/folder.obj"
+bad "folder.obj" "$balloon" check "$scratch/folder.obj"
+if [ "$(id -u)" != 0 ]; then
+    cp assets/models/pillow.obj "$scratch/closed.obj"
+    chmod 0 "$scratch/closed.obj"
+    bad "closed.obj" "$balloon" check "$scratch/closed.obj"
+fi
+bad "grid.* is open.*needs a closed" "$balloon" run grid --set balloons.0.inflation.law=gas
+bad "helum" "$balloon" run party --set balloons.0.helum=3
+bad "no method|method 'magic'" "$balloon" run party --method magic
+bad "step" "$balloon" run party --step -1
+bad "step" "$balloon" run party --step nan
+bad "per_particle" "$balloon" run party --set balloons.0.mass.per_particle=0
+bad "nowhere" "$balloon" run nowhere
+printf 'units: paper\nstep: 0.002\nballoons:\n  - model: cube\n    helum: 3\n' >"$scratch/key.yaml"
+bad "key.yaml:5: .*helum" "$balloon" run "$scratch/key.yaml"
+printf 'units: paper\nstep: 0.002\nballoons:\n  - model: cube\n    mass: {per_particle: -1}\n' >"$scratch/range.yaml"
+bad "range.yaml:5: " "$balloon" run "$scratch/range.yaml"
+printf 'units: paper\nstep: [\n' >"$scratch/yaml.yaml"
+bad "yaml.yaml:[0-9]+: " "$balloon" run "$scratch/yaml.yaml"
+printf '# balloon input 1 party\n30 key dance down\n' >"$scratch/bad.log"
+bad "bad.log:2: " "$balloon" run party --input "$scratch/bad.log"
+bad "cannot be written" "$balloon" run party --csv /proc/nothing/here.csv
+bad "cannot be written" "$balloon" run party --seconds 0.1 --obj /proc/nothing/here.obj
+bad "/proc/nothing" "$balloon" render party --out /proc/nothing/here
+bad "number" "$balloon" run party --seconds soon
+bad "size" "$balloon" render party --size 12by9
+bad "mode" "$balloon" render party --mode x-ray --out "$scratch/m"
+bad "display" env -u DISPLAY -u WAYLAND_DISPLAY "$balloon" party
+bad "EGL" env __EGL_VENDOR_LIBRARY_DIRS=/nonexistent "$balloon" render party --seconds 0.1 --out "$scratch/e"
+usage "no such option" "$balloon" run party --colour red
+usage "needs a value" "$balloon" run party --seconds
+usage "only one" "$balloon" run party tether
+bad "went bad in step" "$balloon" run fails/long-step
+ok "nothing was half-written" test ! -e "$scratch/m" -a ! -e "$scratch/e"
+"$balloon" run fails/long-step --csv "$scratch/f.csv" 2>/dev/null
+ok "rows up to the bad state are kept" test "$(wc -l <"$scratch/f.csv")" -ge 2
+
+finish

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Captured frames: the balloon is there, grows when blown up, shrinks when let out, and looks like
+# the pictures that a person has looked at (tests/golden, within a tolerance for other machines).
+set -u
+cd "$(dirname "$0")/../.."
+build=$(realpath "${1:-build}")
+. tests/say.sh
+balloon=$build/balloon
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# how many pixels are of a saturated colour, as balloons are and floor and sky are not
+coloured() {
+    convert "$1" -colorspace HSL -channel G -separate -threshold 40% -format '%[fx:mean*w*h]' info:
+}
+
+render() { # render OUT SECONDS options…
+    local out=$1 seconds=$2
+    shift 2
+    "$balloon" render "$scene" --out "$out" --seconds "$seconds" --size 320x180 --quiet "$@" >/dev/null
+}
+
+# --- grows and shrinks by the keys, through an input log
+scene=squirrel-inflates
+still=(--set "balloons.0.inflation={law: area, amount: 4, rate: 8}")
+printf '# balloon input 1 %s\n250 key inflate down\n1250 key inflate up\n1500 key deflate down\n2500 key deflate up\n' $scene >"$scratch/log"
+render "$scratch/first.png" 0.4 "${still[@]}" --input "$scratch/log"
+render "$scratch/grown.png" 3 "${still[@]}" --input "$scratch/log"
+render "$scratch/shrunk.png" 8 "${still[@]}" --input "$scratch/log"
+first=$(coloured "$scratch/first.png") grown=$(coloured "$scratch/grown.png") shrunk=$(coloured "$scratch/shrunk.png")
+ok "the balloon is there" less 1000 "$first"
+ok "it grows when blown up" less "$(awk -v a="$first" 'BEGIN { print 1.15 * a }')" "$grown"
+ok "it shrinks when let out" less "$shrunk" "$(awk -v a="$grown" 'BEGIN { print a / 1.15 }')"
+
+# --- numbers of frames, names, sizes
+render "$scratch/frames" 0.25 --fps 20
+ok "a frame for the start and one for each 20th" test "$(ls "$scratch/frames" | wc -l)" = 6
+ok "frames have the size asked for" test "$(identify -format '%wx%h' "$scratch/frames/frame-00000.png")" = 320x180
+ok "nothing moves before the scene begins" cmp "$scratch/frames/frame-00000.png" "$scratch/frames/frame-00001.png"
+render "$scratch/again" 0.25 --fps 20
+ok "same input, same pixels" cmp "$scratch/frames/frame-00005.png" "$scratch/again/frame-00005.png"
+for film in mp4:11 webm:11 gif:14; do # a GIF plays at 25 a second: 11 frames of 1/20 s are 14
+    kind=${film%:*}
+    render "$scratch/film.$kind" 0.5 --fps 20
+    ok "a film as .$kind has ${film#*:} frames" test "$(ffprobe -v error -count_frames -select_streams v \
+        -show_entries stream=nb_read_frames -of csv=p=0 "$scratch/film.$kind" | tr -d ',')" = "${film#*:}"
+done
+
+# --- every display mode draws something of its own
+for mode in $("$balloon" list | sed -n '/^display modes/,$p' | awk 'NR > 1 { print $1 }'); do
+    render "$scratch/mode-$mode.png" 1 --mode "$mode"
+    ok "mode $mode draws" test "$(convert "$scratch/mode-$mode.png" -format '%k' info:)" -gt 500
+done
+ok "modes differ" test "$(md5sum "$scratch"/mode-*.png | awk '{ print $1 }' | sort -u | wc -l)" = \
+    "$(ls "$scratch"/mode-*.png | wc -l)"
+
+# --- golden pictures
+for golden in tests/golden/*.png; do
+    name=$(basename "$golden" .png)
+    scene=${name%@*}
+    render "$scratch/now.png" "${name#*@}"
+    # one bit may differ between machines; a wrong shape or colour is far above this
+    off=$(compare -metric RMSE "$golden" "$scratch/now.png" null: 2>&1 | sed -E 's/.*\((.*)\)/\1/')
+    ok "$name looks as it did ($off)" less "$off" 0.01
+done
+
+finish

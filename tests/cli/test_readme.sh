@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# The README says what the program says: its keys, and a scene that loads.
+set -u
+cd "$(dirname "$0")/../.."
+build=$(realpath "${1:-build}")
+. tests/say.sh
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+sed -n '/^<!-- keys/,/^<!-- end of keys/p' README.md | grep '^      ' | sed 's/^    //' >"$scratch/readme"
+"$build/balloon" --help | sed -n '/^keys$/,$p' | grep '^  ' >"$scratch/help"
+ok "the README has every key" diff "$scratch/readme" "$scratch/help"
+
+sed -n '/^```yaml$/,/^```$/p' README.md | grep -v '^```' >"$scratch/scene.yaml"
+ok "the README's scene loads and runs" "$build/balloon" run "$scratch/scene.yaml" --seconds 0.1 --quiet
+for folder in src/*/; do
+    ok "the README names $folder" grep -q "^| $(basename "$folder") |" README.md
+done
+ok "the picture is there" test -s "$(sed -nE 's/^!\[.*\]\((.*)\)$/\1/p' README.md)"
+
+finish

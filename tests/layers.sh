@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Includes point one way: who may include whom, by the folders of src/. Judged on direct includes.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+declare -A may=(
+    [base]="base"
+    [mesh]="base mesh"
+    [body]="base mesh body"
+    [force]="base mesh body force"
+    [solve]="base mesh body force solve"
+    [correct]="base mesh body correct"
+    [world]="base mesh body force solve correct world"
+    [view]="base mesh body world view"
+    [draw]="base view draw"
+    [hud]="base view hud"
+    [show]="base world view draw hud show"
+)
+declare -A library=(
+    [assimp]="mesh" [cyaml]="world" [yaml.h]="world" [cglm]="view" [EGL]="draw" [GL/]="draw"
+    [imgui]="hud" [GLFW]="show" [png.h]="show"
+)
+
+bad=0
+for file in src/*/*.[ch] src/*/*.cpp; do
+    folder=$(basename "$(dirname "$file")")
+    if [ -z "${may[$folder]:-}" ]; then
+        echo "layers: src/$folder is not in the table"; bad=1; continue
+    fi
+    while read -r other; do
+        case " ${may[$folder]} " in
+            *" $other "*) ;;
+            *) echo "layers: $file includes $other/, and $folder may include: ${may[$folder]}"; bad=1 ;;
+        esac
+    done < <(sed -nE 's|^#include "([a-z]+)/.*|\1|p' "$file")
+    for name in "${!library[@]}"; do
+        if grep -qE "^#include <$name" "$file" && [ "${library[$name]}" != "$folder" ]; then
+            echo "layers: $file includes $name, which is for ${library[$name]}/"; bad=1
+        fi
+    done
+done
+[ $bad = 0 ] && echo "layers: includes point one way"
+exit $bad

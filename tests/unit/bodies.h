@@ -1,0 +1,76 @@
+/// Bodies for tests: of a shape or a model, and of a few particles by hand.
+#ifndef BALLOON_TESTS_BODIES_H
+#define BALLOON_TESTS_BODIES_H
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "body/body.h"
+#include "law.h"
+#include "mesh/load.h"
+#include "solve/method.h"
+
+/// The springs of the mass-spring paper's authors [N/m], and their particle's mass [kg].
+static const double paper_springs[SPRING_KINDS] = {50, 10, 10};
+static const double paper_mass = 1e-3;
+
+static inline void mesh_of(const char* name, Mesh* mesh) {
+    MeshReport report = {0};
+    Fault fault = {0};
+    if (!mesh_load(name, mesh, &report, &fault)) {
+        fault_print(&fault, stderr);
+        fail();
+    }
+}
+
+/// At rest at the mesh's own points, each particle of the paper's mass, no forces.
+static inline void body_of(const Mesh* mesh, Body* body) {
+    body_make(body, mesh, &(Placement){.scale = 1}, paper_mass);
+}
+
+/// One step of a method: kick and drift.
+static inline void step_of(const Method* method, Body* body, double h) {
+    method->kick(body, h);
+    body_drift(body, h);
+}
+
+/// Every particle moved by up to `by` in each direction, the same every time.
+static inline void shake(Body* body, double by) {
+    Random random = {12345};
+    for (int i = 0; i < body->count; i++)
+        for (int k = 0; k < 3; k++)
+            body->x[i][k] += (real)(by * (2 * random_next(&random) - 1));
+}
+
+/// Particles on a line along x at the given places, joined in a chain of equal Hooke springs whose
+/// rest lengths are the distances; the mesh is none, so only forces that need none may act.
+static inline void chain_of(Body* body, const double* place, int count, double mass,
+                            double stiffness) {
+    *body = (Body){.count = count,
+                   .x = new_array(real4, count),
+                   .v = new_array(real4, count),
+                   .f = new_array(real4, count),
+                   .mass = new_array(real, count),
+                   .inverse_mass = new_array(real, count),
+                   .size = 1};
+    Springs* springs = &body->springs;
+    *springs = (Springs){.count = count - 1,
+                         .from = {0, count - 1, count - 1, count - 1},
+                         .end = new_array(int[2], count - 1),
+                         .stiffness = new_array(real, count - 1),
+                         .rest = new_array(real, count - 1),
+                         .active = new_array(real, count - 1),
+                         .bound = 4 * stiffness / mass};
+    for (int i = 0; i < count; i++) {
+        body->x[i] = (real4){(real)place[i], 0, 0, 0};
+        body->mass[i] = (real)mass;
+        body->inverse_mass[i] = (real)(1 / mass);
+    }
+    for (int s = 0; s < count - 1; s++) {
+        springs->end[s][0] = s;
+        springs->end[s][1] = s + 1;
+        springs->stiffness[s] = springs->active[s] = (real)stiffness;
+        springs->rest[s] = (real)(place[s + 1] - place[s]);
+    }
+}
+
+#endif

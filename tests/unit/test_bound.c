@@ -1,0 +1,160 @@
+/// The stability bound that the program computes, and where semi-implicit Euler truly fails.
+#include "bodies.h"
+#include "force/force.h"
+#include "solve/method.h"
+
+enum { STEPS = 2000 };
+
+/// Energy of the deviation from rest, kinetic and elastic.
+static double energy(const Body* body) {
+    double sum = force_springs.energy(body);
+    for (int i = 0; i < body->count; i++)
+        sum += 0.5 * (double)body->mass[i] * (double)dot(body->v[i], body->v[i]);
+    return sum;
+}
+
+/// Energy grown 10 times within 2,000 steps from a small perturbation.
+static bool explodes(const Mesh* mesh, double drag, double h) {
+    Body body;
+    body_of(mesh, &body);
+    body_add_springs(&body, paper_springs, LAW_HOOKE);
+    body.damping.coefficient = drag;
+    shake(&body, TOLERANCE(1e-4, 1e-6)); // float's positions round to 6e-8
+    const double first = energy(&body);
+    bool grown = false;
+    for (int n = 0; n < STEPS && !grown; n++) {
+        step_of(&method_euler, &body, h);
+        grown = !(energy(&body) < 10 * first);
+    }
+    body_free(&body);
+    return grown;
+}
+
+/// truth: cube-sphere of 3 x 3 quads a side, radius 1, 50/10/10, 1 g a particle, no pressure.
+static const double largest_w2 = 221899.946;
+static const struct {
+    double drag, limit;
+} table[] = {
+    {0, 4.24572e-3}, {0.05, 4.026369e-3}, {0.2, 3.439027e-3}, {1, 1.684991e-3}, {2, 9.49940e-4},
+};
+enum { ROWS = sizeof table / sizeof *table };
+
+static void limit_follows_from_frequency_and_damping(void** state) {
+    (void)state;
+    for (int r = 0; r < ROWS; r++)
+        assert_close(method_euler.limit(largest_w2, table[r].drag / paper_mass), table[r].limit,
+                     1e-6);
+    assert_true(isinf(method_euler.limit(0, 0)));
+    assert_close(method_euler.limit(0, 10), 0.2, 1e-15);
+}
+
+static void euler_fails_where_theory_says(void** state) {
+    (void)state;
+    Mesh mesh;
+    mesh_of("cube-sphere:3", &mesh);
+    for (int r = 0; r < ROWS; r++) {
+        double stable = 0.9 * table[r].limit, wild = 1.1 * table[r].limit;
+        assert_false(explodes(&mesh, table[r].drag, stable));
+        assert_true(explodes(&mesh, table[r].drag, wild));
+        while (wild - stable > 1e-3 * table[r].limit) {
+            const double middle = (stable + wild) / 2;
+            *(explodes(&mesh, table[r].drag, middle) ? &wild : &stable) = middle;
+        }
+        assert_close(stable, table[r].limit, 0.02);
+    }
+    mesh_free(&mesh);
+}
+
+static void bound_is_below_the_limit_and_not_far(void** state) {
+    (void)state;
+    Mesh mesh;
+    mesh_of("cube-sphere:3", &mesh);
+    for (int r = 0; r < ROWS; r++) {
+        Body body;
+        body_of(&mesh, &body);
+        body_add_springs(&body, paper_springs, LAW_HOOKE);
+        body.damping.coefficient = table[r].drag;
+        const double bound = method_bound(&method_euler, &body);
+        assert_less(bound, table[r].limit);
+        assert_less(0.5 * table[r].limit, bound);
+        body_free(&body);
+    }
+    mesh_free(&mesh);
+}
+
+/// Largest eigenvalue of -M^-1 dF/dx by power iteration on differences of the force.
+static double measured_w2(Body* body) {
+    const int n = body->count;
+    real4* rest = new_array(real4, n);
+    real4* calm = new_array(real4, n);
+    real4* mode = new_array(real4, n);
+    memcpy(rest, body->x, (size_t)n * sizeof *rest);
+    force_sum(body);
+    memcpy(calm, body->f, (size_t)n * sizeof *calm);
+    Random random = {7};
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < 3; k++)
+            mode[i][k] = (real)(random_next(&random) - 0.5);
+
+    const real h = (real)1e-6;
+    double w2 = 0;
+    for (int round = 0; round < 300; round++) {
+        double norm = 0;
+        for (int i = 0; i < n; i++)
+            norm += ddot(to_double4(mode[i]), to_double4(mode[i]));
+        for (int i = 0; i < n; i++) {
+            mode[i] /= (real)sqrt(norm);
+            body->x[i] = rest[i] + h * mode[i];
+        }
+        force_sum(body);
+        w2 = 0;
+        for (int i = 0; i < n; i++) {
+            const real4 next = (calm[i] - body->f[i]) * (body->inverse_mass[i] / h);
+            w2 += (double)dot(next, mode[i]);
+            mode[i] = next;
+        }
+    }
+    memcpy(body->x, rest, (size_t)n * sizeof *rest);
+    free(rest);
+    free(calm);
+    free(mode);
+    return w2;
+}
+
+/// Every force's bound, alone and together, is above what power iteration finds, also deformed.
+static void bound_holds_for_every_force(void** state) {
+    (void)state;
+    if (sizeof(real) == sizeof(float))
+        skip(); // differences of float forces are noise
+    Mesh mesh;
+    mesh_of("cube-sphere:4", &mesh);
+    for (int law = INFLATE_AREA; law < INFLATION_LAWS; law++)
+        for (int springs = 0; springs <= SPRING_LAWS; springs++)
+            for (int torsion = 0; torsion < 2; torsion++) {
+                Body body;
+                body_of(&mesh, &body);
+                if (springs < SPRING_LAWS)
+                    body_add_springs(&body, paper_springs, (SpringLaw)springs);
+                if (torsion)
+                    body_add_torsion(&body, 0.02);
+                body_inflate(&body, (InflationLaw)law, law == INFLATE_GAS ? 1.8 : 15, 1000);
+                body_tie(&body, 0, (double[]){0, -5, 0}, 80, 0.5);
+                for (int i = 0; i < body.count; i++)
+                    body.x[i] *= (real)1.2;
+                shake(&body, 0.02);
+                const double h = method_bound(&method_euler, &body);
+                assert_less(measured_w2(&body), 4 / (h * h));
+                body_free(&body);
+            }
+    mesh_free(&mesh);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(limit_follows_from_frequency_and_damping),
+        cmocka_unit_test(euler_fails_where_theory_says),
+        cmocka_unit_test(bound_is_below_the_limit_and_not_far),
+        cmocka_unit_test(bound_holds_for_every_force),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

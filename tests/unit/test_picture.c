@@ -1,0 +1,275 @@
+/// The picture: what is drawn follows from the world, in every display mode.
+#include "worlds.h"
+
+#include "view/color.h"
+#include "view/framing.h"
+#include "view/mode.h"
+#include "view/picture.h"
+#include "view/rope.h"
+#include "view/status.h"
+
+typedef struct Studio {
+    World world;
+    Camera camera;
+    Picture picture;
+} Studio;
+
+static void studio_open(Studio* studio, const char* const* words) {
+    *studio = (Studio){0};
+    world_of_list(&studio->world, words);
+    studio->camera = framing_first(&studio->world);
+    picture_open(&studio->picture, &studio->world);
+    picture_take(&studio->picture, &studio->world, &studio->camera, &mode_skin);
+}
+
+#define STUDIO(studio, ...) studio_open((studio), (const char* const[]){__VA_ARGS__, NULL})
+
+static void studio_close(Studio* studio) {
+    picture_close(&studio->picture);
+    world_close(&studio->world);
+}
+
+static double dot3(const float* a, const float* b) {
+    return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
+}
+
+static void normals_are_unit_and_point_outward(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "cube-sphere:8");
+    const PictureSkin* skin = &studio.picture.skin[0];
+    for (int i = 0; i < skin->point_count; i++) {
+        // single precision, one square root and one division
+        assert_near(dot3(skin->normal[i], skin->normal[i]), 1, 1e-6);
+
+        // the shape is centred on the origin; the faces around a point of a sphere of eight quads a
+        // side lean at most half a quad, some 6 degrees, from the radius
+        const double radius = sqrt(dot3(skin->position[i], skin->position[i]));
+        assert_less(0.99, dot3(skin->normal[i], skin->position[i]) / radius);
+    }
+    studio_close(&studio);
+}
+
+static void at_rest_nothing_is_stretched(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "squirrel.obj", "balloons.0.size=3", "balloons.0.turn=30");
+    const PictureSkin* skin = &studio.picture.skin[0];
+    for (int i = 0; i < skin->point_count; i++)
+        // edges of a hundredth of the positions they are the differences of, in float
+        assert_near((double)skin->stretch[i], 1, TOLERANCE(1e-4, 1e-6));
+    studio_close(&studio);
+}
+
+static void twice_the_size_is_a_stretch_of_two(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "torus:12x8");
+    Body* body = &studio.world.balloon[0].body;
+    for (int i = 0; i < body->count; i++)
+        body->x[i] *= 2;
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    for (int i = 0; i < body->count; i++)
+        assert_near((double)studio.picture.skin[0].stretch[i], 2, TOLERANCE(1e-5, 1e-6));
+    studio_close(&studio);
+}
+
+static double distance(const float* a, const float* b) {
+    const float d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return sqrt(dot3(d, d));
+}
+
+static void a_string_is_drawn_from_its_particle_to_its_fixed_end(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    const String* string = &studio.world.balloon[0].body.string[0];
+    const Picture* picture = &studio.picture;
+    const float anchor[3] = {(float)string->anchor[0], (float)string->anchor[1],
+                             (float)string->anchor[2]};
+    assert_int_equal(picture->line_count, ROPE_SEGMENTS);
+    assert_near(distance(picture->line[0].from, picture->skin[0].position[string->particle]), 0, 0);
+    assert_near(distance(picture->line[ROPE_SEGMENTS - 1].to, anchor), 0, 1e-5);
+    for (int s = 1; s < ROPE_SEGMENTS; s++)
+        assert_near(distance(picture->line[s - 1].to, picture->line[s].from), 0, 0);
+    studio_close(&studio);
+}
+
+static double drawn_length(const Picture* picture) {
+    double sum = 0;
+    for (int s = 0; s < picture->line_count; s++)
+        sum += distance(picture->line[s].from, picture->line[s].to);
+    return sum;
+}
+
+static void a_slack_string_keeps_its_length(void** state) {
+    (void)state;
+    for (int percent = 100; percent <= 120; percent += 5) {
+        char slack[64];
+        snprintf(slack, sizeof slack, "balloons.0.strings.0.slack=%g", percent / 100.0);
+        Studio studio;
+        STUDIO(&studio, "tether", slack);
+        const double want = (double)studio.world.balloon[0].body.string[0].free_length;
+        // the sag is exact for a shallow parabola: a slack of 20 % is 1 % off
+        assert_close(drawn_length(&studio.picture), want, 0.015);
+        studio_close(&studio);
+    }
+}
+
+static void a_slack_string_lies_on_the_floor(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether", "balloons.0.strings.0.to=[3, -4, 0]", "balloons.0.strings.0.slack=2");
+    for (int s = 0; s < studio.picture.line_count; s++)
+        assert_true(studio.picture.line[s].to[1] >= studio.picture.floor_height);
+    studio_close(&studio);
+}
+
+static bool finite3(const float* a) {
+    return isfinite(a[0]) && isfinite(a[1]) && isfinite(a[2]);
+}
+
+static void every_mode_draws_finite_numbers(void** state) {
+    (void)state;
+    static const char* const scene[] = {"tether", "grid:6x6", "cube", "squirrel.obj"};
+    for (size_t s = 0; s < sizeof scene / sizeof *scene; s++) {
+        Studio studio;
+        STUDIO(&studio, scene[s]);
+        for (int n = 0; n < 5; n++)
+            world_step(&studio.world);
+        for (int m = 0; m < mode_count; m++) {
+            const Picture* picture = &studio.picture;
+            picture_take(&studio.picture, &studio.world, &studio.camera, mode_table[m]);
+            assert_int_equal(picture->skin[0].paint, mode_table[m]->paint);
+            for (int i = 0; i < picture->skin[0].point_count; i++)
+                assert_true(finite3(picture->skin[0].tint[i]));
+            for (int i = 0; i < picture->line_count; i++)
+                assert_true(finite3(picture->line[i].from) && finite3(picture->line[i].to));
+            for (int i = 0; i < picture->ball_count; i++)
+                assert_true(finite3(picture->ball[i].center));
+        }
+        studio_close(&studio);
+    }
+}
+
+static void a_picture_changes_no_bit_of_the_world(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    const uint64_t before = world_hash(&studio.world);
+    for (int m = 0; m < mode_count; m++)
+        picture_take(&studio.picture, &studio.world, &studio.camera, mode_table[m]);
+    assert_true(world_hash(&studio.world) == before);
+    studio_close(&studio);
+}
+
+static void the_springs_mode_draws_each_spring_that_faces_the_eye(void** state) {
+    (void)state;
+    Studio studio;
+    // an open skin has no far side: every spring is drawn
+    STUDIO(&studio, "grid:6x6", "balloons.0.strings=[]");
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_springs);
+    assert_int_equal(studio.picture.line_count, studio.world.balloon[0].body.springs.count);
+    studio_close(&studio);
+}
+
+static void each_mesh_has_its_own_number_over_all_worlds(void** state) {
+    (void)state;
+    Studio first;
+    STUDIO(&first, "cube");
+    const int number = first.picture.skin[0].mesh_id;
+    picture_close(&first.picture);
+    picture_open(&first.picture, &first.world);
+    assert_int_not_equal(first.picture.skin[0].mesh_id, number);
+    studio_close(&first);
+}
+
+static void the_scene_lies_within_its_radius(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "party");
+    for (int b = 0; b < studio.picture.skin_count; b++)
+        for (int i = 0; i < studio.picture.skin[b].point_count; i++)
+            assert_true(distance(studio.picture.skin[b].position[i], studio.picture.scene_center) <=
+                        (double)studio.picture.scene_radius * (1 + 1e-6));
+    studio_close(&studio);
+}
+
+static void the_scenes_camera_stands_where_it_says(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "cube", "camera={eye: [4, 3, -2], look: [1, 0.5, 0]}");
+    const float want[3] = {4, 3, -2}, look[3] = {1, 0.5f, 0};
+    float eye[3];
+    camera_eye(&studio.camera, eye);
+    assert_near(distance(eye, want), 0, 1e-5); // sines and cosines in float
+    assert_near(distance(studio.camera.target, look), 0, 1e-6);
+    studio_close(&studio);
+}
+
+static void the_scale_of_colours_grows_brighter(void** state) {
+    (void)state;
+    double before = -1;
+    for (int k = 0; k <= 100; k++) {
+        float color[3];
+        color_scale((float)k / 100, color);
+        // luminance of linear light, ITU-R BT.709
+        const double light =
+            0.2126 * (double)color[0] + 0.7152 * (double)color[1] + 0.0722 * (double)color[2];
+        assert_less(before, light);
+        before = light;
+    }
+}
+
+static void mode_names_are_found_and_walked_round(void** state) {
+    (void)state;
+    const Mode* mode = mode_table[0];
+    for (int m = 0; m < mode_count; m++) {
+        assert_ptr_equal(mode_find(mode_table[m]->name), mode_table[m]);
+        assert_ptr_equal(mode, mode_table[m]);
+        assert_non_null(strstr(mode_names(), mode->name));
+        mode = mode_after(mode);
+    }
+    assert_ptr_equal(mode, mode_table[0]);
+    assert_null(mode_find("no such mode"));
+}
+
+static void a_bad_state_is_said_before_any_message(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    Panel panel = {0};
+    const Status status = {.mode = &mode_stretch, .slow = 4, .message = "all is well"};
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(panel.message, "all is well");
+    assert_false(panel.alarm);
+    assert_true(panel.row_count > 0);
+
+    studio.world.blowup.halted = true;
+    snprintf(studio.world.blowup.text, sizeof studio.world.blowup.text, "it went bad");
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(panel.message, "it went bad");
+    assert_true(panel.alarm);
+    studio_close(&studio);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(normals_are_unit_and_point_outward),
+        cmocka_unit_test(at_rest_nothing_is_stretched),
+        cmocka_unit_test(twice_the_size_is_a_stretch_of_two),
+        cmocka_unit_test(a_string_is_drawn_from_its_particle_to_its_fixed_end),
+        cmocka_unit_test(a_slack_string_keeps_its_length),
+        cmocka_unit_test(a_slack_string_lies_on_the_floor),
+        cmocka_unit_test(every_mode_draws_finite_numbers),
+        cmocka_unit_test(a_picture_changes_no_bit_of_the_world),
+        cmocka_unit_test(the_springs_mode_draws_each_spring_that_faces_the_eye),
+        cmocka_unit_test(each_mesh_has_its_own_number_over_all_worlds),
+        cmocka_unit_test(the_scene_lies_within_its_radius),
+        cmocka_unit_test(the_scenes_camera_stands_where_it_says),
+        cmocka_unit_test(the_scale_of_colours_grows_brighter),
+        cmocka_unit_test(mode_names_are_found_and_walked_round),
+        cmocka_unit_test(a_bad_state_is_said_before_any_message),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

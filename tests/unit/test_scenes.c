@@ -1,0 +1,164 @@
+/// Every shipped scene, and what the figures of the mass-spring paper show.
+#include "worlds.h"
+
+#include "force/force.h"
+
+/// The scenes of failures show how a method fails: they are caught, and everything else stays.
+static bool is_failure(const char* path) {
+    return strstr(path, "/fails/") != NULL;
+}
+
+static void every_scene_runs_and_stays_finite(void** state) {
+    (void)state;
+    char** path;
+    const int count = scene_list(&path);
+    assert_true(count >= 10);
+    for (int k = 0; k < count; k++) {
+        World world;
+        WORLD_OF(&world, path[k]);
+        run_for(&world, 5);
+        if (!is_finite(&world) || world.blowup.halted != is_failure(path[k]))
+            fail_msg("%s: %s", path[k], world.blowup.text);
+        world_close(&world);
+        free(path[k]);
+    }
+    free(path);
+}
+
+/// A scene whose balloons start at rest and unstretched has no elastic energy, and no velocity.
+static void every_scene_starts_at_rest(void** state) {
+    (void)state;
+    char** path;
+    const int count = scene_list(&path);
+    for (int k = 0; k < count; k++) {
+        World world;
+        WORLD_OF(&world, path[k]);
+        for (int b = 0; b < world.balloon_count; b++) {
+            const Body* body = &world.balloon[b].body;
+            assert_near(force_springs.energy(body), 0, 1e-9);
+            for (int i = 0; i < body->count; i++)
+                assert_near((double)length(body->v[i]), 0, 0);
+        }
+        world_close(&world);
+        free(path[k]);
+    }
+    free(path);
+}
+
+/// Mean height of the particles that lie in a slab of the first shape [0, 1] from low to high.
+static double slab_height(const Balloon* balloon, double low, double high) {
+    const Mesh* mesh = &balloon->mesh;
+    double bottom = INFINITY, top = -INFINITY, sum = 0;
+    for (int i = 0; i < mesh->point_count; i++) {
+        bottom = fmin(bottom, mesh->point[i][1]);
+        top = fmax(top, mesh->point[i][1]);
+    }
+    int count = 0;
+    for (int i = 0; i < mesh->point_count; i++) {
+        const double part = (mesh->point[i][1] - bottom) / (top - bottom);
+        // the body alone, in front of the tail
+        if (part < low || part > high || mesh->point[i][2] < 0)
+            continue;
+        sum += (double)balloon->body.x[i][1];
+        count++;
+    }
+    assert_true(count > 10);
+    return sum / count;
+}
+
+/// Figures 19 to 21: feet below the head at first, head below the feet in the end.
+static void tied_squirrel_turns_upside_down(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "squirrel-turns");
+    const Balloon* squirrel = &world.balloon[0];
+    const double upright = slab_height(squirrel, 0.7, 1) - slab_height(squirrel, 0, 0.2);
+    assert_less(0.5, upright);
+    run_for(&world, world.def.seconds);
+    const double turned = slab_height(squirrel, 0.7, 1) - slab_height(squirrel, 0, 0.2);
+    assert_less(turned, -0.5 * upright);
+    world_close(&world);
+}
+
+static double sphericity(const World* world) {
+    const double volume = probe(world, "balloon0.volume"), area = probe(world, "balloon0.area");
+    return cbrt(36 * 3.14159265358979323846 * volume * volume) / area;
+}
+
+/// Figures 24 and 25.
+static void bowl_becomes_a_ball(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "bowl-to-ball");
+    assert_less(sphericity(&world), 0.7);
+    run_for(&world, world.def.seconds);
+    assert_less(0.95, sphericity(&world));
+    world_close(&world);
+}
+
+/// Figures 1 and 2: it holds more, and its thinnest parts have grown too.
+static void blown_up_squirrel_holds_more(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "squirrel-inflates");
+    const double before = probe(&world, "balloon0.volume");
+    run_for(&world, world.def.seconds);
+    assert_less(1.5 * before, probe(&world, "balloon0.volume"));
+    world_close(&world);
+}
+
+/// Figures 11 and 12: correction holds the turtle smaller and its springs shorter.
+static void corrected_turtle_is_held(void** state) {
+    (void)state;
+    double volume[2], stretch[2];
+    for (int k = 0; k < 2; k++) {
+        World world;
+        WORLD_OF(&world, k ? "turtle-corrected" : "turtle");
+        run_for(&world, world.def.seconds);
+        volume[k] = probe(&world, "balloon0.volume");
+        stretch[k] = probe(&world, "balloon0.stretch_max");
+        world_close(&world);
+    }
+    assert_less(volume[1], 0.9 * volume[0]);
+    assert_less(stretch[1], 0.9 * stretch[0]);
+}
+
+/// The pieces fall where they are: a scene's particles answer to the model's own numbers.
+static void loaded_numbers_name_the_model_s_vertices(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "squirrel-turns");
+    const Mesh* mesh = &world.balloon[0].mesh;
+    char path[512], line[256];
+    Fault fault = {0};
+    assert_true(scene_model_path(&world.def, "squirrel.obj", path, &fault));
+    FILE* obj = fopen(path, "r");
+    assert_non_null(obj);
+    int k = 0; // the shipped models' vertices stand in the order of first use
+    double x, y, z;
+    while (fgets(line, sizeof line, obj))
+        if (sscanf(line, "v %lf %lf %lf", &x, &y, &z) == 3) {
+            const double4 p = mesh->point[mesh->inside[k]];
+            assert_near(p[0], x, 0);
+            assert_near(p[1], y, 0);
+            assert_near(p[2], z, 0);
+            assert_int_equal(mesh->loaded[mesh->inside[k]], k);
+            k++;
+        }
+    fclose(obj);
+    assert_int_equal(k, mesh->point_count);
+    world_close(&world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_scene_runs_and_stays_finite),
+        cmocka_unit_test(every_scene_starts_at_rest),
+        cmocka_unit_test(tied_squirrel_turns_upside_down),
+        cmocka_unit_test(bowl_becomes_a_ball),
+        cmocka_unit_test(blown_up_squirrel_holds_more),
+        cmocka_unit_test(corrected_turtle_is_held),
+        cmocka_unit_test(loaded_numbers_name_the_model_s_vertices),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

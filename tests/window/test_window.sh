@@ -1,0 +1,168 @@
+#!/usr/bin/env bash
+# The window: opened under Xvfb, played with keys and mouse by xdotool, seen through its screenshots.
+# Nothing here waits for a time: it waits for what must happen, at most PATIENCE seconds.
+set -u
+cd "$(dirname "$0")/../.."
+balloon=$(realpath "${1:-build}")/balloon
+. tests/say.sh
+PATIENCE=${PATIENCE:-60}
+scratch=$(mktemp -d)
+xvfb='' player=''
+trap '[ -z "$player" ] || kill "$player"; [ -z "$xvfb" ] || kill "$xvfb"; wait; rm -rf "$scratch"' EXIT
+
+# until command…: it succeeds before patience ends
+until_true() {
+    local end=$((SECONDS + PATIENCE))
+    until "$@" 2>/dev/null; do
+        [ $SECONDS -lt $end ] || { echo "  waited in vain for: $*"; return 1; }
+        sleep 0.05
+    done
+}
+
+# --- without a display
+ok "no display is one sentence" refuses 1 "no display.*balloon render" \
+    env -u WAYLAND_DISPLAY DISPLAY= "$balloon" play tether
+
+# --- a display of our own
+Xvfb -displayfd 3 -screen 0 1024x768x24 3>"$scratch/display" 2>"$scratch/xvfb" &
+xvfb=$!
+until_true test -s "$scratch/display" || { cat "$scratch/xvfb"; echo "0 passed, 1 failed"; exit 1; }
+export DISPLAY=:$(cat "$scratch/display")
+unset WAYLAND_DISPLAY
+
+# a red balloon that grows fast while the key is held, in air so thick that it does not swing
+scene=(tether --set balloons.0.inflation.rate=15 --set balloons.0.inflation.most=30
+    --set 'balloons.0.color=[0.9,0.1,0.1]' --set balloons.0.damping.coefficient=0.2)
+
+window() { # the id of the program's window, once it is there
+    xdotool search --onlyvisible --name '^balloon$' 2>/dev/null | head -1
+}
+is_open() { [ -n "$(window)" ]; }
+
+start() { # start options…: play in the scratch folder
+    (cd "$scratch" && exec "$balloon" play "${scene[@]}" --size 640x480 "$@" >hash 2>said) &
+    player=$!
+}
+
+leave() { # wait for the program's end, keep its exit code
+    wait "$player"
+    status=$?
+    player=''
+}
+
+# shot: the program's own screenshot, as FILE; shown on the next frame, renamed into place
+shots=0
+shot() {
+    shots=$((shots + 1))
+    file=$scratch/$(printf 'balloon-%04d.png' $shots)
+    xdotool key p
+    until_true test -f "$file"
+}
+
+root() { import -silent -window root "$1"; } # what the display itself shows
+
+red() { # pixels that are much more red than green
+    convert "$1" -color-matrix '1 -1 0 0 0 0 0 0 0' -channel R -separate +channel \
+        -threshold 30% -format '%[fx:round(mean*w*h)]' info:
+}
+
+differing() { # pixels that differ between two pictures by more than 5 %
+    compare -metric AE -fuzz 5% "$1" "$2" null: 2>&1 | sed 's/e+/*10^/' | cut -d' ' -f1
+}
+
+size() { identify -format '%wx%h' "$1"; }
+grown() { root "$scratch/root.png" && [ "$(red "$scratch/root.png")" -gt "$1" ]; }
+shrunk() { root "$scratch/root.png" && [ "$(red "$scratch/root.png")" -lt "$1" ]; }
+
+# --- it opens, and the balloon is there
+start --record log --hash
+ok "a window opens" until_true is_open
+is_open || { cat "$scratch/said"; finish; exit 1; }
+ok "the balloon is on the display" until_true grown 2000
+xdotool key o # the overlay off: what is compared below is the scene alone
+shot
+first=$(red "$file")
+ok "the balloon is in the program's screenshot" less 2000 "$first"
+
+# --- keys that are held
+xdotool keydown Up
+ok "the balloon grows while its key is held" until_true grown $((first * 15 / 10))
+xdotool keyup Up
+larger() { shot && large=$(red "$file") && [ "$large" -gt $((first * 13 / 10)) ]; }
+ok "the screenshot shows it grown" until_true larger
+xdotool keydown Down
+ok "it shrinks while the other is held" until_true shrunk $((large * 9 / 10))
+xdotool keyup Down
+
+# --- pause: nothing moves, and the display shows what the screenshot holds
+still() { # two screenshots are the same; the first is kept
+    shot && cp "$file" "$scratch/before.png" && shot &&
+        [ "$(differing "$scratch/before.png" "$file")" = 0 ]
+}
+moved() { shot && [ "$(differing "$scratch/before.png" "$file")" -gt "$1" ]; }
+xdotool key space
+ok "paused, nothing moves" until_true still
+root "$scratch/root.png"
+convert "$scratch/root.png" -crop "$(size "$file")+0+0" +repage "$scratch/root.png"
+ok "the display shows the screenshot's pixels" less "$(differing "$scratch/root.png" "$file")" 100
+
+# --- the mouse moves the eye
+drag() { # drag BUTTON DX DY
+    xdotool mousemove 320 240 mousedown "$1" mousemove_relative -- "$2" "$3" mouseup "$1"
+}
+drag 1 150 60
+ok "a left drag orbits" until_true moved 2000
+until_true still
+before=$(red "$file")
+farther() { shot && [ "$(red "$file")" -lt $((before * 7 / 10)) ]; }
+xdotool click 5 click 5 click 5
+ok "the wheel zooms" until_true farther
+until_true still
+drag 3 120 0
+ok "a right drag pans" until_true moved 2000
+until_true still
+
+# --- every display mode draws something of its own
+for mode in quads springs forces stretch normals skin; do
+    shot && cp "$file" "$scratch/before.png"
+    xdotool key m
+    ok "the mode key shows $mode" until_true moved 50
+done
+
+# --- the window's size
+sized() { shot && [ "$(size "$file")" = "$1" ]; }
+xdotool windowsize "$(window)" 500 400
+ok "a resized window is drawn in its new size" until_true sized 500x400
+xdotool key F11
+ok "full screen fills the screen" until_true sized 1024x768
+xdotool key F11
+ok "and goes back to the window" until_true sized 500x400
+
+# --- the end, and the same again without a window
+xdotool key space key q
+leave
+ok "it quits by its key with exit code 0" test $status = 0
+ok "it had nothing to complain about" test ! -s "$scratch/said"
+steps=$(sed -nE 's/^# ([0-9]+) steps.*/\1/p' "$scratch/log")
+seconds=$(awk -v n="${steps:-0}" 'BEGIN { printf "%.17g", 0.002 * n }')
+ok "the log holds the keys" grep -q "key inflate down" "$scratch/log"
+ok "a run replays the log to the same bits" test \
+    "$("$balloon" run "${scene[@]}" --input "$scratch/log" --seconds "$seconds" --hash --quiet)" = \
+    "$(cat "$scratch/hash")"
+
+# --- other scenes, and a window that ends by itself
+next_log() { test -s "$scratch/log.2"; }
+start --record log --hash
+until_true is_open
+xdotool key Page_Down
+ok "another scene begins with a log of its own" until_true next_log
+xdotool key q
+leave
+ok "and quits as well" test $status = 0
+
+start --seconds 0.1 --hash
+leave
+ok "a window with --seconds ends by itself" test $status = 0
+ok "where a run ends" test "$(cat "$scratch/hash")" = \
+    "$("$balloon" run "${scene[@]}" --seconds 0.1 --hash --quiet)"
+finish
