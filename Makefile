@@ -68,8 +68,7 @@ check: packages-build packages-run packages-test packages-check
 	@echo "sanitizers"
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/sanitized \
 	    EXTRA="-Werror -fsanitize=address,undefined -fno-sanitize-recover=all" programs tests
-	@ASAN_OPTIONS=suppressions=tests/asan.supp LSAN_OPTIONS=suppressions=tests/lsan.supp \
-	    tests/run.sh build/sanitized
+	@tests/run.sh build/sanitized
 
 bench: packages-build
 	@$(MAKE) --no-print-directory -j$(JOBS) programs
@@ -123,25 +122,30 @@ $(2)_objects := $$(patsubst src/%,$$(BUILD)/$(1)/%.o,$$(SOURCES))
 
 $$(BUILD)/$(1)/%.c.o: src/%.c
 	@mkdir -p $$(@D)
-	$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
+	@echo "  $$@"
+	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
 
 $$(BUILD)/$(1)/%.cpp.o: src/%.cpp
 	@mkdir -p $$(@D)
-	$$(CXX) -std=c++17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
+	@echo "  $$@"
+	@$$(CXX) -std=c++17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
 
 $$(BUILD)/$(1)/libballoon.a: $$($(2)_objects)
 	@rm -f $$@
-	$$(AR) rcs $$@ $$^
+	@$$(AR) rcs $$@ $$^
 
 $$(BUILD)/$(2): $$(BUILD)/$(1)/main.c.o $$(BUILD)/$(1)/libballoon.a
-	$$(CXX) $$(EXTRA) $$^ $$(libraries) -o $$@
+	@echo "  $$@"
+	@$$(CXX) $$(EXTRA) $$^ $$(libraries) -o $$@
 
 $$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
 	@mkdir -p $$(@D)
-	$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) -Itests/unit $$(includes) -c $$< -o $$@
+	@echo "  $$@"
+	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) -Itests/unit $$(includes) -c $$< -o $$@
 
 $$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
-	$$(CXX) $$(EXTRA) $$(link_flags) $$^ $$(libraries) -lcmocka -o $$@
+	@echo "  $$@"
+	@$$(CXX) $$(EXTRA) $$(link_flags) $$^ $$(libraries) -lcmocka -o $$@
 
 # one test counts what a step asks the allocator for
 $$(BUILD)/$(1)/tests/test_world: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)

@@ -10,7 +10,6 @@ are bent into shape. Units: all models stand on y = -1 and are about 2 high; y i
 import os
 import sys
 from itertools import product
-
 import numpy as np
 
 FLOOR = -1.0
@@ -198,7 +197,10 @@ def mirror(points, quads):
 
 
 def skin(shapes, quads, seed, cell=0.045, blend=0.04, rounds=60):
-    """Even quads over the smooth union of shapes, left and right alike."""
+    """Even quads over the smooth union of shapes, left and right alike.
+
+    QuadriFlow meets the asked number only within some 10 %, and the quality of its quads varies:
+    quads, seed and cell of each model below are the best of dozens tried."""
     field, hull = union(shapes, blend)
     rough, net = surface_net(field, hull, cell)
     points, faces = quadriflow(relax(field, rough, net, 6, crowd=0), net, quads // 2, seed)
@@ -237,7 +239,11 @@ def on_sphere(points):
 # --- models -----------------------------------------------------------------------------------
 
 def squirrel():
-    """Sits upright, a bushy tail in an S behind it; the tip of the tail is a vertex."""
+    """Sits upright, a bushy tail along its back; the tip of the tail is a vertex.
+
+    A free tail unbends when a string pulls its tip, and the squirrel floats upright; grown to the
+    back up to the head, it turns the squirrel upside down.
+    """
     shapes = [egg((0, -0.40, 0.03), (0.42, 0.50, 0.40), tilt=8),
               egg((0, 0.38, 0.18), (0.35, 0.31, 0.33)),
               tube((0, 0.30, 0.40, 0.20), (0, 0.26, 0.58, 0.11)),

@@ -34,8 +34,8 @@ const Mode* mode_after(const Mode* mode);
 /// Names of all modes, "skin, quads, …", for sentences.
 const char* mode_names(void);
 
-/// Upper end of the stretch mode's colours: the largest stretch of the skin, rounded up to a value
-/// that stays the same for a while. The lower end is 1.
-float mode_stretch_top(const PictureSkin* skin);
+/// Upper end of the stretch mode's colours: the largest stretch in the picture, rounded up to a
+/// value that stays the same for a while. The lower end is 1.
+float mode_stretch_top(const Picture* picture);
 
 #endif

@@ -8,9 +8,19 @@ static const float* const COLOR[SPRING_KINDS] = {STROKE_BLACK, STROKE_BLUE, STRO
 static const float WIDTH[SPRING_KINDS] = {1.3f, 1.0f, 2.6f};    // [px at 720 lines]
 static const float RAISE[SPRING_KINDS] = {0.03f, 0.02f, 0.01f}; // [edge lengths]
 static const float TORSION_WIDTH = 4.0f;
-static const float PARTICLE_RADIUS = 0.07f; // [edge lengths]
+static const float PARTICLE_RADIUS = 0.09f; // [edge lengths]
+static const float PARTICLE_RAISE = 0.08f;
 
 enum { PARTICLE_BALLS_MOST = 4000 }; ///< with more particles, balls would hide the springs
+
+static void particles(const Stroke* stroke) {
+    for (int i = 0; i < stroke->skin->point_count; i++) {
+        float center[3];
+        stroke_above(stroke, i, PARTICLE_RAISE, center);
+        if (!stroke_hidden(stroke, i))
+            picture_ball(stroke->picture, center, PARTICLE_RADIUS * stroke->grain, STROKE_RED);
+    }
+}
 
 static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
     const Stroke stroke = stroke_on(picture, skin, balloon);
@@ -27,10 +37,7 @@ static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
             stroke_line(&stroke, springs->end[s], RAISE[kind], COLOR[kind], WIDTH[kind]);
 
     if (skin->point_count <= PARTICLE_BALLS_MOST)
-        for (int i = 0; i < skin->point_count; i++)
-            if (!stroke_hidden(&stroke, i))
-                picture_ball(picture, skin->position[i], PARTICLE_RADIUS * stroke.grain,
-                             STROKE_RED);
+        particles(&stroke);
 }
 
 static int lines(const Balloon* balloon) {

@@ -27,13 +27,14 @@ void picture_open(Picture* picture, const World* world) {
         .skin_count = world->balloon_count,
         .floor = world->def.floor != NULL,
         .floor_height = world->def.floor ? (float)*world->def.floor : 0,
-        .mesh_count = picture->mesh_count,
     };
     for (int b = 0; b < world->balloon_count; b++) {
         const Balloon* balloon = &world->balloon[b];
-        surface_open(&picture->skin[b], balloon, picture->mesh_count++);
-        picture->line_room += most_of(balloon, false) + ROPE_SEGMENTS * balloon->body.string_room;
-        picture->ball_room += most_of(balloon, true) + ROPE_KNOTS * balloon->body.string_room;
+        surface_open(&picture->skin[b], balloon);
+        // the string key ties one string to a balloon that has none
+        const int strings = balloon->strings > 0 ? balloon->strings : 1;
+        picture->line_room += most_of(balloon, false) + ROPE_SEGMENTS * strings;
+        picture->ball_room += most_of(balloon, true) + ROPE_KNOTS * strings;
     }
     picture->line = new_array(PictureLine, picture->line_room);
     picture->ball = new_array(PictureBall, picture->ball_room);
@@ -109,5 +110,5 @@ void picture_close(Picture* picture) {
     free(picture->skin);
     free(picture->line);
     free(picture->ball);
-    *picture = (Picture){.mesh_count = picture->mesh_count};
+    *picture = (Picture){0};
 }

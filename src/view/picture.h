@@ -28,7 +28,6 @@ typedef enum SkinPaint {
 typedef struct PictureSkin {
     int point_count;
     int triangle_count;
-    int mesh_id;              ///< the same number means the same triangles as in the last picture
     const int (*triangle)[3]; ///< [triangle_count] counter-clockwise from outside
     float (*position)[3];     ///< [point_count]
     float (*normal)[3];       ///< [point_count] of unit length
@@ -69,21 +68,19 @@ typedef struct Picture {
     float floor_height;
     float scene_center[3]; ///< middle of all skins and balls, where the floor's shadow is computed
     float scene_radius;    ///< radius of all skins and balls about it
-    int mesh_count;        ///< meshes pictured so far, over all worlds: where mesh_id comes from
 } Picture;
 
 struct World; // world/world.h; the renderer never looks inside
 struct Mode;  // view/mode.h
 
 /// Room for every line and ball that a display mode can draw of this world. The picture points into
-/// the world's meshes: close it before the world. A picture that was opened before must be closed.
+/// the world's meshes: close it before the world.
 void picture_open(Picture* picture, const struct World* world);
 
 /// Fill the picture from the world's present state.
 void picture_take(Picture* picture, const struct World* world, const Camera* camera,
                   const struct Mode* mode);
 
-/// Frees the arrays; only mesh_count stays, so that the next world's meshes get new numbers.
 void picture_close(Picture* picture);
 
 /// Append a line or a ball. There is room for those of one display mode; more is a bug.

@@ -1,6 +1,6 @@
 #include "view/rope.h"
 
-static const float ROPE_COLOR[3] = {0.62f, 0.58f, 0.5f};
+static const float ROPE_COLOR[3] = {0.30f, 0.29f, 0.30f};
 static const float ROPE_WIDTH = 1.8f; // [px at 720 lines]
 // A knot is small beside its balloon. [parts of the balloon's size]
 static const float KNOT_RADIUS = 0.018f;

@@ -6,8 +6,6 @@
 #include "mesh/measure.h"
 #include "world/probe.h"
 
-enum { BALLOONS_MOST = 8 }; ///< rows for balloons before the rest is only counted
-
 static void title(Panel* panel, const World* world) {
     const char* slash = strrchr(world->def.file, '/');
     const char* file = slash ? slash + 1 : world->def.file;
@@ -32,17 +30,10 @@ static void time_rows(Panel* panel, const World* world, const Status* status) {
 }
 
 static void mode_row(Panel* panel, const Picture* picture, const Mode* mode) {
-    if (mode != &mode_stretch) {
+    if (mode == &mode_stretch)
+        panel_row(panel, "shown", "stretch, 1 to %g", (double)mode_stretch_top(picture));
+    else
         panel_row(panel, "shown", "%s", mode->name);
-        return;
-    }
-    char tops[64] = "";
-    for (int b = 0; b < picture->skin_count && b < BALLOONS_MOST; b++) {
-        const size_t used = strlen(tops);
-        snprintf(tops + used, sizeof tops - used, "%s1 to %g", b ? ", " : "",
-                 (double)mode_stretch_top(&picture->skin[b]));
-    }
-    panel_row(panel, "shown", "stretch %s", tops);
 }
 
 static bool gauge_pressure(const World* world, int balloon, double* value) {
@@ -71,16 +62,18 @@ static void balloon_row(Panel* panel, const World* world, int b) {
                  balloon->correct.corrected);
 
     char label[32];
-    snprintf(label, sizeof label, "%sballoon %d", world->selected == b ? "> " : "", b);
+    snprintf(label, sizeof label, "balloon %d", b);
     panel_row(panel, label, "%s", text);
 }
 
+/// The balloon that keys act on. Rows for all of many would hide them.
 static void balloon_rows(Panel* panel, const World* world) {
-    const int count = world->balloon_count;
-    for (int b = 0; b < count && b < BALLOONS_MOST; b++)
-        balloon_row(panel, world, b);
-    if (count > BALLOONS_MOST)
-        panel_row(panel, "", "and %d more", count - BALLOONS_MOST);
+    if (world->balloon_count == 1)
+        balloon_row(panel, world, 0);
+    else if (world->selected != ALL_BALLOONS)
+        balloon_row(panel, world, world->selected);
+    else
+        panel_row(panel, "balloons", "%d, tab selects one", world->balloon_count);
 }
 
 void status_take(Panel* panel, const World* world, const Picture* picture, const Status* status) {

@@ -6,12 +6,11 @@
 #include "base/memory.h"
 #include "view/color.h"
 
-void surface_open(PictureSkin* skin, const Balloon* balloon, int mesh_id) {
+void surface_open(PictureSkin* skin, const Balloon* balloon) {
     const Mesh* mesh = &balloon->mesh;
     *skin = (PictureSkin){
         .point_count = mesh->point_count,
         .triangle_count = mesh->triangle_count,
-        .mesh_id = mesh_id,
         .triangle = (const int(*)[3])mesh->triangle,
         .position = new_array(float[3], mesh->point_count),
         .normal = new_array(float[3], mesh->point_count),

@@ -6,7 +6,7 @@
 #include "world/world.h"
 
 /// Arrays and what does not change from frame to frame.
-void surface_open(PictureSkin* skin, const Balloon* balloon, int mesh_id);
+void surface_open(PictureSkin* skin, const Balloon* balloon);
 
 /// The present positions; unit normals, the mean of the faces around a point weighted by area;
 /// stretch, the mean over the edges at a point of length over rest length.

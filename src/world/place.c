@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FOLDERS_UP = 3 }; ///< tests lie in build/<precision>/tests, three below assets
+enum { FOLDERS_UP = 4 }; ///< tests lie up to four folders below assets, build/KIND/PRECISION/tests
 
 // The folder of the running program, without a slash at its end.
 static bool program_folder(char path[512], Fault* fault) {

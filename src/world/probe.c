@@ -128,40 +128,59 @@ static const struct Column {
 // clang-format on
 enum { COLUMNS = sizeof column_table / sizeof *column_table };
 
+/// What a column measures: the time, a balloon's quantity, or a string's tension.
+typedef struct Measure {
+    const World* world;
+    const Balloon* balloon;      ///< NULL: the time
+    const struct Column* column; ///< NULL: the tension of `string`
+    int string;
+} Measure;
+
+static double value_of(const Measure* measure) {
+    if (!measure->balloon)
+        return world_time(measure->world);
+    if (measure->column)
+        return measure->column->measure(measure->balloon);
+    // columns are those of the scene: a string that is untied for now has no tension
+    const Body* body = &measure->balloon->body;
+    return measure->string < body->string_count ? string_tension(body, measure->string) : 0;
+}
+
 /// Called for each column of the world in order; the walk ends when it returns true.
-typedef bool (*Visit)(void* self, const char* name, double value);
+typedef bool (*Visit)(void* self, const char* name, const Measure* measure);
 
 static bool walk(const World* world, Visit visit, void* self) {
     char name[64];
-    if (visit(self, "t", world_time(world)))
+    Measure measure = {.world = world};
+    if (visit(self, "t", &measure))
         return true;
     for (int b = 0; b < world->balloon_count; b++) {
-        const Balloon* balloon = &world->balloon[b];
+        measure.balloon = &world->balloon[b];
         for (int k = 0; k < COLUMNS; k++) {
-            const struct Column* column = &column_table[k];
-            snprintf(name, sizeof name, "balloon%d.%s", b, column->name);
-            if (column->has(balloon) && visit(self, name, column->measure(balloon)))
+            measure.column = &column_table[k];
+            snprintf(name, sizeof name, "balloon%d.%s", b, measure.column->name);
+            if (measure.column->has(measure.balloon) && visit(self, name, &measure))
                 return true;
         }
-        // columns are those of the scene: a string that is untied for now has no tension
-        for (int k = 0; k < (int)balloon->def->strings_count; k++) {
-            snprintf(name, sizeof name, "balloon%d.string%d.tension", b, k);
-            const bool tied = k < balloon->body.string_count;
-            if (visit(self, name, tied ? string_tension(&balloon->body, k) : 0))
+        measure.column = NULL;
+        for (unsigned k = 0; k < measure.balloon->def->strings_count; k++) {
+            measure.string = (int)k;
+            snprintf(name, sizeof name, "balloon%d.string%u.tension", b, k);
+            if (visit(self, name, &measure))
                 return true;
         }
     }
     return false;
 }
 
-static bool print_name(void* self, const char* name, double value) {
-    (void)value;
-    fprintf(self, "%s%s", strcmp(name, "t") == 0 ? "" : ",", name);
+static bool print_name(void* self, const char* name, const Measure* measure) {
+    fprintf(self, "%s%s", measure->balloon ? "," : "", name);
     return false;
 }
 
-static bool print_value(void* self, const char* name, double value) {
-    fprintf(self, "%s%.17g", strcmp(name, "t") == 0 ? "" : ",", value);
+static bool print_value(void* self, const char* name, const Measure* measure) {
+    (void)name;
+    fprintf(self, "%s%.17g", measure->balloon ? "," : "", value_of(measure));
     return false;
 }
 
@@ -180,11 +199,11 @@ typedef struct Wanted {
     double* value;
 } Wanted;
 
-static bool take(void* self, const char* name, double value) {
+static bool take(void* self, const char* name, const Measure* measure) {
     const Wanted* wanted = self;
     if (strcmp(name, wanted->name) != 0)
         return false;
-    *wanted->value = value;
+    *wanted->value = value_of(measure);
     return true;
 }
 
