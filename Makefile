@@ -9,12 +9,12 @@
 # build/balloon has a state of float, build/balloon-double of double; both come from src/.
 
 # Debian 12's names; the only list of packages there is
-BUILD_PACKAGES := gcc g++ pkg-config libassimp-dev libcyaml-dev libcglm-dev libimgui-dev \
-    libglfw3-dev libegl-dev libopengl-dev libpng-dev
+BUILD_PACKAGES := gcc g++ pkg-config libassimp-dev libcyaml-dev libyaml-dev libcglm-dev libimgui-dev \
+    libglfw3-dev libegl-dev libopengl-dev libpng-dev libbullet-dev
 RUN_PACKAGES   := libegl1 libgl1 libgl1-mesa-dri ffmpeg
 TEST_PACKAGES  := libcmocka-dev xvfb xdotool imagemagick
 CHECK_PACKAGES := clang clang-format
-LIBRARIES      := assimp libcyaml cglm imgui glfw3 egl opengl libpng
+LIBRARIES      := assimp libcyaml yaml-0.1 cglm imgui glfw3 egl opengl libpng bullet bullet-float64
 
 BUILD    ?= build
 CC       := $(if $(filter default,$(origin CC)),gcc,$(CC))
@@ -30,7 +30,10 @@ WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wvla -Wimplicit-fallthrough -Wund
 WARN_C   := -Wstrict-prototypes -Wmissing-prototypes
 CPPFLAGS := -Isrc -D_POSIX_C_SOURCE=200809L -MMD -MP
 # libraries' headers are not ours to warn about
-includes  = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I imgui 2>/dev/null))
+includes  = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I imgui bullet 2>/dev/null))
+# Bullet is one library for each precision; they do not mix
+bullet_float  = -lBulletDynamics -lBulletCollision -lLinearMath
+bullet_double = $(addsuffix -float64,$(bullet_float))
 libraries = -lassimp -lcyaml -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -lm -ldl -lpthread
 
 SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*.cpp))
@@ -75,7 +78,7 @@ bench: packages-build
 	@tests/bench.sh $(BUILD)
 
 format: packages-check
-	clang-format -i $(wildcard src/*.c src/*/*.[ch] src/*/*.cpp tests/unit/*.[ch])
+	clang-format -i $(wildcard src/*.c src/*/*.[ch] src/*/*.[ch]pp tests/unit/*.[ch])
 
 clean:
 	rm -rf build out
@@ -136,7 +139,7 @@ $$(BUILD)/$(1)/libballoon.a: $$($(2)_objects)
 
 $$(BUILD)/$(2): $$(BUILD)/$(1)/main.c.o $$(BUILD)/$(1)/libballoon.a
 	@echo "  $$@"
-	@$$(CXX) $$(EXTRA) $$^ $$(libraries) -o $$@
+	@$$(CXX) $$(EXTRA) $$^ $$(bullet_$(1)) $$(libraries) -o $$@
 
 $$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
 	@mkdir -p $$(@D)
@@ -145,7 +148,7 @@ $$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
 
 $$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
 	@echo "  $$@"
-	@$$(CXX) $$(EXTRA) $$(link_flags) $$^ $$(libraries) -lcmocka -o $$@
+	@$$(CXX) $$(EXTRA) $$(link_flags) $$^ $$(bullet_$(1)) $$(libraries) -lcmocka -o $$@
 
 # one test counts what a step asks the allocator for
 $$(BUILD)/$(1)/tests/test_world: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)

@@ -10,7 +10,8 @@ declare -A may=(
     [force]="base mesh body force"
     [solve]="base mesh body force solve"
     [correct]="base mesh body correct"
-    [world]="base mesh body force solve correct world"
+    [collide]="base mesh body collide"
+    [world]="base mesh body force solve correct collide world"
     [view]="base mesh body world view"
     [draw]="base view draw"
     [hud]="base view hud"
@@ -18,11 +19,11 @@ declare -A may=(
 )
 declare -A library=(
     [assimp]="mesh" [cyaml]="world" [yaml.h]="world" [cglm]="view" [EGL]="draw" [GL/]="draw"
-    [imgui]="hud" [GLFW]="show" [png.h]="show"
+    [imgui]="hud" [GLFW]="show" [png.h]="show" [bt]="collide" [Bullet]="collide"
 )
 
 bad=0
-for file in src/*/*.[ch] src/*/*.cpp; do
+for file in src/*/*.[ch] src/*/*.[ch]pp; do
     folder=$(basename "$(dirname "$file")")
     if [ -z "${may[$folder]:-}" ]; then
         echo "layers: src/$folder is not in the table"; bad=1; continue

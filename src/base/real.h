@@ -27,6 +27,10 @@ static inline real real_sqrt(real a) {
 #endif
 }
 
+static inline real real_min(real a, real b) {
+    return a < b ? a : b;
+}
+
 static inline real real_max(real a, real b) {
     return a > b ? a : b;
 }

@@ -20,8 +20,9 @@ static inline real dot(real4 a, real4 b) {
 }
 
 static inline real4 cross(real4 a, real4 b) {
-    return (real4){a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0],
-                   0};
+    const real4 c = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                     a[0] * b[1] - a[1] * b[0], 0};
+    return c; // by name, because C++ has no compound literals
 }
 
 static inline real length(real4 a) {
@@ -34,8 +35,9 @@ static inline double ddot(double4 a, double4 b) {
 }
 
 static inline double4 dcross(double4 a, double4 b) {
-    return (double4){a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                     a[0] * b[1] - a[1] * b[0], 0};
+    const double4 c = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                       a[0] * b[1] - a[1] * b[0], 0};
+    return c;
 }
 
 static inline double dlength(double4 a) {

@@ -38,6 +38,7 @@ void app_look(App* app) {
     app->pacer.slow = before.slow;
     app->pacer.paused = before.paused;
     app->camera = framing_first(app->world);
+    app->hand = hand_default(app->world, &app->camera);
     picture_open(&app->picture, app->world);
 }
 

@@ -6,6 +6,7 @@
 #include "show/pacer.h"
 #include "show/session.h"
 #include "show/show.h"
+#include "view/hand.h"
 #include "view/mode.h"
 #include "view/panel.h"
 #include "view/picture.h"
@@ -19,6 +20,8 @@ typedef struct App {
 
     const Mode* mode;
     Camera camera;
+    Hand hand;        ///< the next ball to be thrown
+    float pointer[2]; ///< where the mouse was at the key, 0…1 from the upper left
     Picture picture;
     Panel panel;
     char message[512];   ///< a sentence for the user
@@ -48,7 +51,7 @@ bool app_run(App* app, Fault* fault);
 /// stays.
 bool app_close(App* app, bool whole, Fault* fault);
 
-/// Camera, pacer and picture for the world that is open now. The speed stays.
+/// Camera, hand, pacer and picture for the world that is open now. The speed stays.
 void app_look(App* app);
 
 /// Go on to the scene `direction` places further in the list of shipped scenes. One that does not

@@ -43,6 +43,31 @@ static void frame_all(App* app) {
     app->camera.pitch = before.pitch;
 }
 
+static void throw_ball(App* app) {
+    double thrown[THROW_NUMBERS];
+    const float aspect = (float)app->width / (float)app->height;
+    Fault fault = {0};
+    if (!hand_throw(&app->hand, app->world, &app->camera, aspect, app->pointer, thrown))
+        app_say(app, "there is no room for a ball here");
+    else if (!session_throw(&app->session, thrown, &fault))
+        app_say(app, "%s: %s", fault.place, fault.text);
+}
+
+static void next_mass(App* app) {
+    hand_next_mass(&app->hand);
+    app_say(app, "the next ball's mass is %g", app->hand.mass);
+}
+
+static void next_radius(App* app) {
+    hand_next_radius(&app->hand);
+    app_say(app, "the next ball's radius is %g", app->hand.radius);
+}
+
+static void next_speed(App* app) {
+    hand_next_speed(&app->hand);
+    app_say(app, "the next ball's speed is %g", app->hand.speed);
+}
+
 static void overlay(App* app) {
     app->panel.shown = !app->panel.shown;
 }
@@ -66,19 +91,24 @@ static void quit(App* app) {
 
 // clang-format off
 const ViewKey view_key_table[] = {
-    {"space",     "run or pause",                             run_or_pause},
-    {".",         "pause and make a single step",             single_step},
-    {"left",      "slower: 1/2, 1/4, 1/8, 1/16",              slower},
-    {"right",     "faster, up to real time",                  faster},
-    {"m",         "next display mode",                        next_mode},
-    {"page down", "next scene",                               next_scene},
-    {"page up",   "previous scene",                           previous_scene},
-    {"f",         "bring everything into sight",              frame_all},
-    {"o",         "show or hide the overlay",                 overlay},
-    {"h",         "show or hide these keys",                  help},
-    {"f11",       "full screen or window",                    full_screen},
-    {"p",         "write a screenshot",                       screenshot},
-    {"q",         "quit",                                     quit},
+    {"space",      "run or pause",                             run_or_pause},
+    {".",          "pause and make a single step",             single_step},
+    {"left",       "slower: 1/2, 1/4, 1/8, 1/16",              slower},
+    {"right",      "faster, up to real time",                  faster},
+    {"m",          "next display mode",                        next_mode},
+    {"page down",  "next scene",                               next_scene},
+    {"page up",    "previous scene",                           previous_scene},
+    {"f",          "bring everything into sight",              frame_all},
+    {"b",          "throw a ball at the pointer",              throw_ball},
+    {"ctrl+click", "throw a ball there too",                   throw_ball},
+    {"w",          "weight of the next ball: 0.1 to 1000",     next_mass},
+    {"z",          "size of the next ball: radius 0.05 to 0.8", next_radius},
+    {"s",          "speed of the next ball: 1 to 200",         next_speed},
+    {"o",          "show or hide the overlay",                 overlay},
+    {"h",          "show or hide these keys",                  help},
+    {"f11",        "full screen or window",                    full_screen},
+    {"p",          "write a screenshot",                       screenshot},
+    {"q",          "quit",                                     quit},
 };
 // clang-format on
 const int view_key_count = sizeof view_key_table / sizeof *view_key_table;

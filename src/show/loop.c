@@ -19,6 +19,7 @@ static bool press(App* app, const KeyEvent* event, Fault* fault) {
     if (row >= 0)
         return session_key(&app->session, row, event->down, fault);
     const ViewKey* key = view_key_find(event->name);
+    memcpy(app->pointer, event->pointer, sizeof app->pointer);
     if (key && event->down)
         key->down(app);
     return true;
@@ -74,6 +75,7 @@ static void draw(App* app, double frame_ms) {
 
     const Status status = {
         .mode = app->mode,
+        .hand = app->output.full_screen ? &app->hand : NULL, // no user where there is no screen
         .slow = app->pacer.slow,
         .paused = app->pacer.paused,
         .frame_ms = frame_ms,

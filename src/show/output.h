@@ -11,9 +11,11 @@
 enum { KEYS_A_FRAME = 64 }; ///< more key events in one frame are dropped
 
 /// A key by the name that the key tables use: "a", "space", "page down", "f11".
+/// So is a click with a key held: "ctrl+click".
 typedef struct KeyEvent {
     char name[16];
     bool down;
+    float pointer[2]; ///< where the mouse was, 0…1 from the picture's upper left
 } KeyEvent;
 
 /// What happened since the frame before.

@@ -69,23 +69,48 @@ static void name_key(int key, int scancode, char name[16]) {
         snprintf(name, 16, "%c", tolower(key));
 }
 
+static float part_of(double at, int whole) {
+    return (float)fmin(fmax(at / fmax(whole, 1), 0), 1);
+}
+
+static void add_key(GLFWwindow* handle, const char* name, bool down) {
+    Window* window = glfwGetWindowUserPointer(handle);
+    Input* input = &window->input;
+    if (!name[0] || input->key_count == KEYS_A_FRAME)
+        return;
+    int width, height;
+    glfwGetWindowSize(handle, &width, &height);
+    KeyEvent* event = &input->key[input->key_count++];
+    *event = (KeyEvent){
+        .down = down,
+        .pointer = {part_of(window->pointer[0], width), part_of(window->pointer[1], height)},
+    };
+    snprintf(event->name, sizeof event->name, "%s", name);
+}
+
 /// On loss of focus GLFW reports every key that is down as released: nothing stays held.
 static void on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
     (void)modifiers;
-    Input* input = &((Window*)glfwGetWindowUserPointer(handle))->input;
-    if (action == GLFW_REPEAT || input->key_count == KEYS_A_FRAME)
+    if (action == GLFW_REPEAT)
         return;
-    KeyEvent* event = &input->key[input->key_count];
-    name_key(key, scancode, event->name);
-    event->down = action == GLFW_PRESS;
-    if (event->name[0])
-        input->key_count++;
+    char name[16];
+    name_key(key, scancode, name);
+    add_key(handle, name, action == GLFW_PRESS);
 }
 
 // ---- mouse ----
 
 static bool pressed(GLFWwindow* handle, int button) {
     return glfwGetMouseButton(handle, button) == GLFW_PRESS;
+}
+
+static bool either(GLFWwindow* handle, int left, int right) {
+    return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
+}
+
+static void on_button(GLFWwindow* handle, int button, int action, int modifiers) {
+    if (button == GLFW_MOUSE_BUTTON_LEFT && (modifiers & GLFW_MOD_CONTROL))
+        add_key(handle, "ctrl+click", action == GLFW_PRESS);
 }
 
 /// Events come in their order, however late: what the pointer and the buttons are by now is no
@@ -99,10 +124,10 @@ static void on_pointer(GLFWwindow* handle, double x, double y) {
     window->pointer[0] = x;
     window->pointer[1] = y;
 
-    // left drags orbit; right and middle ones, or left with shift, pan
-    const bool left = pressed(handle, GLFW_MOUSE_BUTTON_LEFT);
-    const bool shift = glfwGetKey(handle, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
-                       glfwGetKey(handle, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+    // left drags orbit; right and middle ones, or left with shift, pan; with control none does
+    const bool left = pressed(handle, GLFW_MOUSE_BUTTON_LEFT) &&
+                      !either(handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    const bool shift = either(handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     const bool other =
         pressed(handle, GLFW_MOUSE_BUTTON_RIGHT) || pressed(handle, GLFW_MOUSE_BUTTON_MIDDLE);
     if (!left && !other)
@@ -229,6 +254,7 @@ bool output_window(Output* output, const char* title, int width, int height, Fau
     glfwGetCursorPos(handle, &window->pointer[0], &window->pointer[1]);
     glfwSetWindowUserPointer(handle, window);
     glfwSetKeyCallback(handle, on_key);
+    glfwSetMouseButtonCallback(handle, on_button);
     glfwSetCursorPosCallback(handle, on_pointer);
     glfwSetScrollCallback(handle, on_wheel);
     glfwMakeContextCurrent(handle);

@@ -62,6 +62,12 @@ bool session_key(Session* session, int row, bool down, Fault* fault) {
     return apply(session, &event, fault);
 }
 
+bool session_throw(Session* session, const double thrown[THROW_NUMBERS], Fault* fault) {
+    Event event = {.step = session->world->clock, .kind = EVENT_THROW};
+    memcpy(event.thrown, thrown, sizeof event.thrown);
+    return apply(session, &event, fault);
+}
+
 bool session_step(Session* session, Fault* fault) {
     const Event* due;
     while ((due = record_due(&session->replay, session->world->clock)))

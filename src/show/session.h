@@ -23,6 +23,9 @@ bool session_open(Session* session, World* world, const char* input, const char*
 /// A key of command_table goes down or up now.
 bool session_key(Session* session, int row, bool down, Fault* fault);
 
+/// A ball is thrown now: position, velocity, mass, radius (world/record.h), in world units.
+bool session_throw(Session* session, const double thrown[THROW_NUMBERS], Fault* fault);
+
 /// Apply the replayed events that are due, then one step.
 bool session_step(Session* session, Fault* fault);
 

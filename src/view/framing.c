@@ -2,6 +2,8 @@
 
 #include <float.h>
 
+#include "view/spheres.h"
+
 // A balloon that fills the picture at rest has nowhere to grow. [parts of its size]
 static const float ROOM_TO_GROW = 0.15f;
 
@@ -24,6 +26,7 @@ Camera framing_all(const World* world) {
         for (int s = 0; s < body->string_count; s++)
             widen(low, high, body->string[s].anchor);
     }
+    spheres_widen(world, low, high);
     return camera_framing(low, high);
 }
 

@@ -8,7 +8,7 @@
 /// The scene's `camera`, or framing_all where it has none.
 Camera framing_first(const World* world);
 
-/// All balloons and tied strings as they are now, with room to grow.
+/// All balloons, tied strings and balls that are near them as they are now, with room to grow.
 Camera framing_all(const World* world);
 
 #endif

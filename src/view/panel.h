@@ -29,7 +29,7 @@ typedef struct Panel {
     int key_count;
     PanelKey key[PANEL_KEYS];
     char message[512]; ///< a sentence in the middle of the lower rim; empty: none
-    bool alarm;        ///< the message is about a state that went bad: shown in red
+    bool alarm;        ///< the message is about what must not be: shown in red
 } Panel;
 
 /// Append a row; what does not fit is cut, never overrun.

@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "view/mode.h"
 #include "view/rope.h"
+#include "view/spheres.h"
 #include "view/surface.h"
 #include "world/world.h"
 
@@ -19,6 +20,15 @@ static int most_of(const Balloon* balloon, bool balls) {
         most = here > most ? here : most;
     }
     return most;
+}
+
+/// Room for knots, what a mode draws, and all balls there are; what is there is not kept.
+static void make_room(Picture* picture, int spheres) {
+    if (picture->ball && picture->ball_own + spheres <= picture->ball_room)
+        return;
+    free(picture->ball);
+    picture->ball_room = picture->ball_own + 2 * spheres;
+    picture->ball = new_array(PictureBall, picture->ball_room);
 }
 
 void picture_open(Picture* picture, const World* world) {
@@ -34,10 +44,10 @@ void picture_open(Picture* picture, const World* world) {
         // the string key ties one string to a balloon that has none
         const int strings = balloon->strings > 0 ? balloon->strings : 1;
         picture->line_room += most_of(balloon, false) + ROPE_SEGMENTS * strings;
-        picture->ball_room += most_of(balloon, true) + ROPE_KNOTS * strings;
+        picture->ball_own += most_of(balloon, true) + ROPE_KNOTS * strings;
     }
     picture->line = new_array(PictureLine, picture->line_room);
-    picture->ball = new_array(PictureBall, picture->ball_room);
+    make_room(picture, world->collide.sphere_count);
 }
 
 static void widen(float low[3], float high[3], const float point[3], float radius) {
@@ -47,14 +57,15 @@ static void widen(float low[3], float high[3], const float point[3], float radiu
     }
 }
 
-/// The ball around the box around all skins and balls.
-static void bound(Picture* picture) {
+/// The ball around the box around all skins, knots, and balls that are near them.
+static void bound(Picture* picture, const World* world) {
     float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
     for (int b = 0; b < picture->skin_count; b++)
         for (int i = 0; i < picture->skin[b].point_count; i++)
             widen(low, high, picture->skin[b].position[i], 0);
     for (int b = 0; b < picture->ball_count; b++)
         widen(low, high, picture->ball[b].center, picture->ball[b].radius);
+    spheres_widen(world, low, high);
 
     float square = 0;
     for (int k = 0; k < 3; k++) {
@@ -69,6 +80,7 @@ static void bound(Picture* picture) {
 void picture_take(Picture* picture, const World* world, const Camera* camera, const Mode* mode) {
     picture->camera = *camera;
     picture->line_count = picture->ball_count = 0;
+    make_room(picture, world->collide.sphere_count);
 
     for (int b = 0; b < world->balloon_count; b++) {
         PictureSkin* skin = &picture->skin[b];
@@ -77,7 +89,8 @@ void picture_take(Picture* picture, const World* world, const Camera* camera, co
         surface_take(skin, &world->balloon[b]);
         rope_take(picture, &world->balloon[b]);
     }
-    bound(picture);
+    bound(picture, world);
+    spheres_take(picture, world);
 
     if (mode->fill)
         for (int b = 0; b < world->balloon_count; b++)

@@ -3,10 +3,11 @@
 ///
 ///     Picture picture = {0};
 ///     picture_open(&picture, world);                    // room for all that a world can show
-///     picture_take(&picture, world, &camera, mode);     // each frame; allocates nothing
+///     picture_take(&picture, world, &camera, mode);     // each frame
 ///     renderer_draw(renderer, &picture);
 ///     picture_close(&picture);                          // and picture_open for the next world
 ///
+/// A frame allocates nothing, unless more balls were thrown than there is room for.
 /// Points are in the order of the mesh. Nothing here is ever NaN: a world whose state goes bad
 /// keeps its last good one.
 #ifndef BALLOON_VIEW_PICTURE_H
@@ -63,11 +64,13 @@ typedef struct Picture {
     PictureLine* line; ///< [line_room]
     int ball_count;
     int ball_room;
+    int ball_own; ///< of the room: for knots and display modes; the world's balls have the rest
     PictureBall* ball; ///< [ball_room]
     bool floor;
     float floor_height;
-    float scene_center[3]; ///< middle of all skins and balls, where the floor's shadow is computed
-    float scene_radius;    ///< radius of all skins and balls about it
+    float scene_center[3]; ///< middle of all skins, knots and balls that are near them, where the
+                           ///< floor's shadow is computed
+    float scene_radius;    ///< radius of all these about it
 } Picture;
 
 struct World; // world/world.h; the renderer never looks inside
@@ -77,7 +80,7 @@ struct Mode;  // view/mode.h
 /// the world's meshes: close it before the world.
 void picture_open(Picture* picture, const struct World* world);
 
-/// Fill the picture from the world's present state.
+/// Fill the picture from the world's present state. Balls come after the knots, in their order.
 void picture_take(Picture* picture, const struct World* world, const Camera* camera,
                   const struct Mode* mode);
 

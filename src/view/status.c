@@ -76,14 +76,38 @@ static void balloon_rows(Panel* panel, const World* world) {
         panel_row(panel, "balloons", "%d, tab selects one", world->balloon_count);
 }
 
+/// Balls, and what they are never to do: pass through a skin.
+static void ball_rows(Panel* panel, const World* world, const Hand* hand) {
+    const Collide* collide = &world->collide;
+    if (collide->sphere_count == 0 && collide->pass_throughs == 0)
+        return;
+    panel_row(panel, "balls", "%d", collide->sphere_count);
+    if (hand)
+        panel_row(panel, "next ball", "mass %g, radius %g, speed %g", hand->mass, hand->radius,
+                  hand->speed);
+    panel_row(panel, "pass-throughs", "%ld", collide->pass_throughs);
+}
+
+/// The sentence at the lower rim: the state that went bad, else what the user is told just now,
+/// else what must not be.
+static void message(Panel* panel, const World* world, const char* told) {
+    const long count = world->collide.pass_throughs;
+    panel->alarm = world->blowup.halted || (!told[0] && count > 0);
+    char text[sizeof panel->message] = "";
+    if (panel->alarm && !world->blowup.halted)
+        snprintf(text, sizeof text, "a ball passed through a skin: pass-throughs %ld", count);
+    panel_text(panel->message, sizeof panel->message,
+               world->blowup.halted ? world->blowup.text
+               : told[0]            ? told
+                                    : text);
+}
+
 void status_take(Panel* panel, const World* world, const Picture* picture, const Status* status) {
     panel->row_count = 0;
     title(panel, world);
     time_rows(panel, world, status);
     mode_row(panel, picture, status->mode);
     balloon_rows(panel, world);
-
-    panel->alarm = world->blowup.halted;
-    panel_text(panel->message, sizeof panel->message,
-               panel->alarm ? world->blowup.text : status->message);
+    ball_rows(panel, world, status->hand);
+    message(panel, world, status->message);
 }

@@ -1,7 +1,8 @@
-/// What the overlay says about a world: time, step, pressure, volume, and sentences.
+/// What the overlay says about a world: time, step, pressure, volume, balls, and sentences.
 #ifndef BALLOON_VIEW_STATUS_H
 #define BALLOON_VIEW_STATUS_H
 
+#include "view/hand.h"
 #include "view/mode.h"
 #include "view/panel.h"
 #include "view/picture.h"
@@ -10,10 +11,12 @@
 /// What the world does not know of the session around it.
 typedef struct Status {
     const Mode* mode;
-    int slow; ///< the world runs this many times slower than time
+    const Hand* hand; ///< the next ball, said once there are balls; NULL: nobody throws
+    int slow;         ///< the world runs this many times slower than time
     bool paused;
     double frame_ms;     ///< wall time of a frame [ms]; 0: not shown
-    const char* message; ///< a sentence for the lower rim; "": none. A blow-up comes first
+    const char* message; ///< a sentence for the lower rim; "": none. A blow-up comes first, and
+                         ///< a ball that passed through a skin last
 } Status;
 
 /// Fill title, rows, message and alarm; the boxes' visibility and the keys are the caller's.

@@ -131,7 +131,7 @@ static void make(Balloon* balloon, const WorldDef* world) {
     const BalloonDef* def = balloon->def;
     Body* body = &balloon->body;
     place_body(balloon);
-    body->gravity = world->gravity ? *world->gravity : world->units == UNITS_PAPER ? 9.8 : 9.81;
+    body->gravity = scene_gravity(world);
     if (def->hold_rim)
         body_hold_rim(body);
 

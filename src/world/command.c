@@ -51,6 +51,10 @@ static void string(World* world) {
     }
 }
 
+static void clear(World* world) {
+    collide_clear(&world->collide);
+}
+
 // clang-format off
 const Command command_table[] = {
     {.name = "inflate",    .key = "up",    .about = "inflate while held",                 .hold = inflate},
@@ -59,6 +63,7 @@ const Command command_table[] = {
     {.name = "string",     .key = "t",     .about = "tie or untie the strings",           .down = string},
     {.name = "correction", .key = "c",     .about = "correct over-stretched springs (Provot)", .down = correction},
     {.name = "tarantino",  .key = "v",     .about = "corrected springs rest for a step (Tarantino)", .down = tarantino},
+    {.name = "clear",      .key = "x",     .about = "take all balls away",                .down = clear},
     {.name = "reset",      .key = "r",     .about = "start the scene again",              .down = world_reset},
 };
 // clang-format on
@@ -145,12 +150,39 @@ static bool set(World* world, const Event* event, Fault* fault) {
                 return fault_set(fault, event->name, "balloon %d has none", b);
             *number = value;
         }
+        if (strcmp(event->name, "gravity") == 0)
+            world->collide.gravity = value;
         world->look = true;
         return true;
     }
     return fault_set(fault, event->name, "cannot be set while a scene runs");
 }
 
+static const real thrown_restitution = (real)0.5; ///< [1] of balls from the user's hand
+static const real thrown_friction = (real)0.5;    ///< [1]
+
+static bool throw(World * world, const Event* event, Fault* fault) {
+    const double* n = event->thrown;
+    if (!(n[6] > 0 && n[7] > 0))
+        return fault_set(fault, "throw", "a ball has a mass and a radius above 0");
+    collide_add(&world->collide, &(Sphere){
+                                     .x = {(real)n[0], (real)n[1], (real)n[2], 0},
+                                     .v = {(real)n[3], (real)n[4], (real)n[5], 0},
+                                     .mass = (real)n[6],
+                                     .radius = (real)n[7],
+                                     .restitution = thrown_restitution,
+                                     .friction = thrown_friction,
+                                 });
+    return true;
+}
+
 bool world_event(World* world, const Event* event, Fault* fault) {
-    return event->kind == EVENT_KEY ? press(world, event, fault) : set(world, event, fault);
+    switch (event->kind) {
+        case EVENT_THROW:
+            return throw(world, event, fault);
+        case EVENT_SET:
+            return set(world, event, fault);
+        default:
+            return press(world, event, fault);
+    }
 }

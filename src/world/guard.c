@@ -65,6 +65,7 @@ void guard_keep(World* world) {
         memcpy(balloon->good_x, balloon->body.x, bytes);
         memcpy(balloon->good_v, balloon->body.v, bytes);
     }
+    collide_keep(&world->collide);
     world->good_step = world->step_count;
 }
 
@@ -75,6 +76,7 @@ static void put_back(World* world) {
         memcpy(balloon->body.x, balloon->good_x, bytes);
         memcpy(balloon->body.v, balloon->good_v, bytes);
     }
+    collide_put_back(&world->collide);
 }
 
 /// The first particle whose position is not finite, or which moves by more than the balloon's first
@@ -97,7 +99,7 @@ static int bad_particle(const Body* body, double h) {
 }
 
 void guard_check(World* world) {
-    const double h = world->step / world->substeps;
+    const double h = world->drift;
     for (int b = 0; b < world->balloon_count; b++) {
         const Balloon* balloon = &world->balloon[b];
         const int bad = bad_particle(&balloon->body, h);
@@ -116,6 +118,17 @@ void guard_check(World* world) {
                  balloon->mesh.loaded[bad],
                  "is not finite or outran the balloon's own size in one step", h, world->bound,
                  world->good_step);
+        put_back(world);
+        return;
+    }
+    const int ball = collide_bad(&world->collide);
+    if (ball != NONE) {
+        halt(world, NONE, NONE);
+        snprintf(
+            world->blowup.text, sizeof world->blowup.text,
+            "ball %d went bad in step %ld, at %.4g s: it is nowhere any more; the state of step "
+            "%ld is back",
+            ball, world->step_count, world_time(world), world->good_step);
         put_back(world);
         return;
     }

@@ -128,69 +128,114 @@ static const struct Column {
 // clang-format on
 enum { COLUMNS = sizeof column_table / sizeof *column_table };
 
-/// What a column measures: the time, a balloon's quantity, or a string's tension.
+/// What a column measures: the time, a balloon's quantity, a string's tension, a ball's position or
+/// velocity, or the pass-throughs.
 typedef struct Measure {
+    double (*of)(const struct Measure* measure);
     const World* world;
-    const Balloon* balloon;      ///< NULL: the time
-    const struct Column* column; ///< NULL: the tension of `string`
-    int string;
+    const Balloon* balloon;
+    const struct Column* column; ///< of the balloon
+    int number;                  ///< of the string or ball
+    int part;                    ///< of the ball, a row of sphere_parts
 } Measure;
 
-static double value_of(const Measure* measure) {
-    if (!measure->balloon)
-        return world_time(measure->world);
-    if (measure->column)
-        return measure->column->measure(measure->balloon);
-    // columns are those of the scene: a string that is untied for now has no tension
+static double time_of(const Measure* measure) {
+    return world_time(measure->world);
+}
+
+static double quantity_of(const Measure* measure) {
+    return measure->column->measure(measure->balloon);
+}
+
+/// Columns are those of the scene: a string that is untied for now has no tension.
+static double tension_of(const Measure* measure) {
     const Body* body = &measure->balloon->body;
-    return measure->string < body->string_count ? string_tension(body, measure->string) : 0;
+    return measure->number < body->string_count ? string_tension(body, measure->number) : 0;
+}
+
+static const char* const sphere_parts[] = {"x", "y", "z", "vx", "vy", "vz"};
+enum { SPHERE_PARTS = sizeof sphere_parts / sizeof *sphere_parts };
+
+/// A ball that was taken away is nowhere.
+static double part_of(const Measure* measure) {
+    const Collide* collide = &measure->world->collide;
+    if (measure->number >= collide->sphere_count)
+        return (double)NAN;
+    const Sphere* sphere = &collide->sphere[measure->number];
+    const real4 vector = measure->part < 3 ? sphere->x : sphere->v;
+    return (double)vector[measure->part % 3];
+}
+
+static double pass_throughs_of(const Measure* measure) {
+    return (double)measure->world->collide.pass_throughs;
 }
 
 /// Called for each column of the world in order; the walk ends when it returns true.
 typedef bool (*Visit)(void* self, const char* name, const Measure* measure);
 
-static bool walk(const World* world, Visit visit, void* self) {
+static bool walk_balloon(Measure* measure, int b, Visit visit, void* self) {
     char name[64];
-    Measure measure = {.world = world};
-    if (visit(self, "t", &measure))
-        return true;
-    for (int b = 0; b < world->balloon_count; b++) {
-        measure.balloon = &world->balloon[b];
-        for (int k = 0; k < COLUMNS; k++) {
-            measure.column = &column_table[k];
-            snprintf(name, sizeof name, "balloon%d.%s", b, measure.column->name);
-            if (measure.column->has(measure.balloon) && visit(self, name, &measure))
-                return true;
-        }
-        measure.column = NULL;
-        for (unsigned k = 0; k < measure.balloon->def->strings_count; k++) {
-            measure.string = (int)k;
-            snprintf(name, sizeof name, "balloon%d.string%u.tension", b, k);
-            if (visit(self, name, &measure))
-                return true;
-        }
+    measure->balloon = &measure->world->balloon[b];
+    measure->of = quantity_of;
+    for (int k = 0; k < COLUMNS; k++) {
+        measure->column = &column_table[k];
+        snprintf(name, sizeof name, "balloon%d.%s", b, measure->column->name);
+        if (measure->column->has(measure->balloon) && visit(self, name, measure))
+            return true;
+    }
+    measure->of = tension_of;
+    for (unsigned k = 0; k < measure->balloon->def->strings_count; k++) {
+        measure->number = (int)k;
+        snprintf(name, sizeof name, "balloon%d.string%u.tension", b, k);
+        if (visit(self, name, measure))
+            return true;
     }
     return false;
 }
 
+static bool walk_spheres(Measure* measure, int count, Visit visit, void* self) {
+    char name[64];
+    measure->of = part_of;
+    for (measure->number = 0; measure->number < count; measure->number++)
+        for (measure->part = 0; measure->part < SPHERE_PARTS; measure->part++) {
+            snprintf(name, sizeof name, "sphere%d.%s", measure->number,
+                     sphere_parts[measure->part]);
+            if (visit(self, name, measure))
+                return true;
+        }
+    measure->of = pass_throughs_of;
+    return count > 0 && visit(self, "pass_throughs", measure);
+}
+
+/// spheres: how many balls have columns.
+static bool walk(const World* world, int spheres, Visit visit, void* self) {
+    Measure measure = {.world = world, .of = time_of};
+    if (visit(self, "t", &measure))
+        return true;
+    for (int b = 0; b < world->balloon_count; b++)
+        if (walk_balloon(&measure, b, visit, self))
+            return true;
+    return walk_spheres(&measure, spheres, visit, self);
+}
+
 static bool print_name(void* self, const char* name, const Measure* measure) {
-    fprintf(self, "%s%s", measure->balloon ? "," : "", name);
+    fprintf(self, "%s%s", measure->of == time_of ? "" : ",", name);
     return false;
 }
 
 static bool print_value(void* self, const char* name, const Measure* measure) {
     (void)name;
-    fprintf(self, "%s%.17g", measure->balloon ? "," : "", value_of(measure));
+    fprintf(self, "%s%.17g", measure->of == time_of ? "" : ",", measure->of(measure));
     return false;
 }
 
 void probe_csv_header(const World* world, FILE* out) {
-    walk(world, print_name, out);
+    walk(world, (int)world->def.spheres_count, print_name, out);
     fputc('\n', out);
 }
 
 void probe_csv_row(const World* world, FILE* out) {
-    walk(world, print_value, out);
+    walk(world, (int)world->def.spheres_count, print_value, out);
     fputc('\n', out);
 }
 
@@ -203,12 +248,13 @@ static bool take(void* self, const char* name, const Measure* measure) {
     const Wanted* wanted = self;
     if (strcmp(name, wanted->name) != 0)
         return false;
-    *wanted->value = value_of(measure);
+    *wanted->value = measure->of(measure);
     return true;
 }
 
 bool probe_value(const World* world, const char* column, double* value) {
-    return walk(world, take, &(Wanted){column, value});
+    const int scene = (int)world->def.spheres_count, now = world->collide.sphere_count;
+    return walk(world, now > scene ? now : scene, take, &(Wanted){column, value});
 }
 
 void probe_obj(const World* world, FILE* out) {

@@ -1,6 +1,7 @@
 #include "world/record.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +10,7 @@
 
 enum {
     VERSION = 1,      ///< of the log's form
-    LINE_MOST = 256,  ///< [bytes] longest line of an event, which has at most 150
+    LINE_MOST = 512,  ///< [bytes] longest line of an event, which has at most 250
     STEP_DIGITS = 18, ///< what has more may not fit a long
 };
 static const char title[] = "# balloon input ";
@@ -25,6 +26,7 @@ typedef struct Line {
 typedef struct Kind {
     const char* name;
     const char* form;
+    bool (*take)(const char* words, Event* event); ///< false if the words are not of this form
     bool (*judge)(const Event* event, const Line* line);
 } Kind;
 
@@ -50,9 +52,42 @@ static bool judge_set(const Event* event, const Line* line) {
     return true; // the world knows what may be set while it runs
 }
 
+static bool judge_throw(const Event* event, const Line* line) {
+    for (int i = 0; i < THROW_NUMBERS; i++)
+        if (!isfinite(event->thrown[i]) || (i >= 6 && event->thrown[i] <= 0))
+            return fault_at(line->fault, line->file, line->number,
+                            "a throw has finite numbers, and a mass and a radius above 0");
+    return true;
+}
+
+// Take "NAME VALUE" apart; the value is the rest of the line. False if one is missing or too long.
+static bool take_pair(const char* words, Event* event) {
+    const size_t name = strcspn(words, " ");
+    if (name == 0 || name >= sizeof event->name || words[name] != ' ')
+        return false;
+    const char* value = words + name + 1;
+    if (!value[0] || strlen(value) >= sizeof event->value)
+        return false;
+    memcpy(event->name, words, name);
+    memcpy(event->value, value, strlen(value));
+    return true;
+}
+
+static bool take_throw(const char* words, Event* event) {
+    for (int i = 0; i < THROW_NUMBERS; i++) {
+        char* end;
+        event->thrown[i] = strtod(words, &end);
+        if (end == words || *end != (i + 1 < THROW_NUMBERS ? ' ' : '\0'))
+            return false;
+        words = end + 1;
+    }
+    return true;
+}
+
 static const Kind kind_table[] = {
-    [EVENT_KEY] = {"key", "STEP key NAME down|up", judge_key},
-    [EVENT_SET] = {"set", "STEP set KEY VALUE", judge_set},
+    [EVENT_KEY] = {"key", "STEP key NAME down|up", take_pair, judge_key},
+    [EVENT_SET] = {"set", "STEP set KEY VALUE", take_pair, judge_set},
+    [EVENT_THROW] = {"throw", "STEP throw x y z vx vy vz mass radius", take_throw, judge_throw},
 };
 enum { KINDS = sizeof kind_table / sizeof kind_table[0] };
 
@@ -73,19 +108,6 @@ static int find_kind(const char* word, size_t length) {
     return KINDS;
 }
 
-// Take "NAME VALUE" apart; the value is the rest of the line. False if one is missing or too long.
-static bool take_pair(const char* words, Event* event) {
-    const size_t name = strcspn(words, " ");
-    if (name == 0 || name >= sizeof event->name || words[name] != ' ')
-        return false;
-    const char* value = words + name + 1;
-    if (!value[0] || strlen(value) >= sizeof event->value)
-        return false;
-    memcpy(event->name, words, name);
-    memcpy(event->value, value, strlen(value));
-    return true;
-}
-
 // One line without its end: STEP KIND NAME VALUE, single spaces between them.
 static bool read_event(const char* text, Event* event, const Line* line) {
     *event = (Event){0};
@@ -101,7 +123,7 @@ static bool read_event(const char* text, Event* event, const Line* line) {
     if (kind == KINDS)
         return kind_fault(line, word, length);
     event->kind = (EventKind)kind;
-    if (word[length] != ' ' || !take_pair(word + length + 1, event))
+    if (word[length] != ' ' || !kind_table[kind].take(word + length + 1, event))
         return fault_at(line->fault, line->file, line->number, "this is not %s",
                         kind_table[kind].form);
     return kind_table[kind].judge(event, line);
@@ -186,9 +208,15 @@ void record_add(Record* record, const Event* event, FILE* log) {
         free(old);
     }
     record->event[record->count++] = *event;
-    if (log)
-        fprintf(log, "%ld %s %s %s\n", event->step, kind_table[event->kind].name, event->name,
-                event->value);
+    if (!log)
+        return;
+    fprintf(log, "%ld %s", event->step, kind_table[event->kind].name);
+    if (event->kind == EVENT_THROW)
+        for (int i = 0; i < THROW_NUMBERS; i++)
+            fprintf(log, " %.17g", event->thrown[i]);
+    else
+        fprintf(log, " %s %s", event->name, event->value);
+    fputc('\n', log);
 }
 
 const Event* record_due(Record* record, long step) {

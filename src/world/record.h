@@ -4,6 +4,7 @@
 ///     # balloon input 1 SCENE
 ///     STEP key NAME down|up
 ///     STEP set KEY VALUE
+///     STEP throw x y z vx vy vz mass radius
 ///
 /// STEP counts world_step calls since the session began; a reset does not turn it back.
 /// Keys act on the selected balloon, or on all if none is selected.
@@ -16,13 +17,16 @@
 
 #include "base/fault.h"
 
-typedef enum EventKind { EVENT_KEY, EVENT_SET } EventKind;
+typedef enum EventKind { EVENT_KEY, EVENT_SET, EVENT_THROW } EventKind;
+
+enum { THROW_NUMBERS = 8 };
 
 typedef struct Event {
     long step;
     EventKind kind;
     char name[64];  ///< key: a row of the command table (world/command.h); set: the scene's key
     char value[64]; ///< key: "down" or "up"; set: the value
+    double thrown[THROW_NUMBERS]; ///< throw: position, velocity, mass, radius
 } Event;
 
 typedef struct Record {

@@ -23,6 +23,7 @@
 
 #include "base/fault.h"
 #include "body/body.h"
+#include "collide/collide.h"
 #include "world/guard.h"
 
 typedef enum Units { UNITS_SI, UNITS_PAPER, UNITS_COUNT } Units;
@@ -113,6 +114,22 @@ typedef struct BalloonDef {
     unsigned strings_count;
 } BalloonDef;
 
+/// `spheres:` balls that are there from the start.
+typedef struct SphereDef {
+    double* position;   ///< [3] required
+    double* velocity;   ///< [3] NULL: at rest
+    double radius;      ///< [m] required
+    double mass;        ///< [kg] required
+    double restitution; ///< 0 … 1
+    double friction;    ///< Coulomb's coefficient
+} SphereDef;
+
+/// `walls:` half-spaces beside the floor.
+typedef struct WallDef {
+    double* at;     ///< [3] a point of the wall, required
+    double* normal; ///< [3] to the side where things are, of any length, required
+} WallDef;
+
 /// `about:` what the scene is about, so that one can say what it may leave out.
 typedef struct AboutDef {
     char* output;     ///< a CSV column, required
@@ -140,6 +157,11 @@ typedef struct WorldDef {
     CameraDef* camera;
     AboutDef* about;
     unsigned about_count;
+    ContactLaw contact; ///< what balls and skins do to each other
+    SphereDef* spheres;
+    unsigned spheres_count;
+    WallDef* walls;
+    unsigned walls_count;
     BalloonDef* balloons; ///< at least one, required
     unsigned balloons_count;
 
@@ -170,6 +192,11 @@ int scene_list(char*** path);
 
 /// The name by which scene_load finds a shipped scene: "party", "fails/stiff".
 void scene_name(const char* path, char name[256]);
+
+/// Downward, from the scene or its units [m/s^2].
+static inline double scene_gravity(const WorldDef* def) {
+    return def->gravity ? *def->gravity : def->units == UNITS_PAPER ? 9.8 : 9.81;
+}
 
 void scene_free(WorldDef* def);
 

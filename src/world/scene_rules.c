@@ -113,6 +113,14 @@ bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
     if (camera_looks_nowhere(def->camera))
         return tree_fault(tree, tree_find(tree, "camera"), fault,
                           "the camera's eye is where it looks");
+    for (unsigned i = 0; i < def->walls_count; i++) {
+        const double* n = def->walls[i].normal;
+        char path[64];
+        snprintf(path, sizeof path, "walls.%u.normal", i);
+        if (n[0] == 0 && n[1] == 0 && n[2] == 0)
+            return tree_fault(tree, tree_find(tree, path), fault,
+                              "a wall's normal points somewhere; this one has no length");
+    }
     for (unsigned i = 0; i < def->balloons_count; i++)
         if (!balloon_rules_hold(def, i, tree, fault))
             return false;

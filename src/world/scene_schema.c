@@ -20,6 +20,7 @@ static cyaml_strval_t precision_word[PRECISIONS];
 static cyaml_strval_t guard_word[GUARD_COUNT];
 static cyaml_strval_t spring_law_word[SPRING_LAWS];
 static cyaml_strval_t inflation_law_word[INFLATION_LAWS];
+static cyaml_strval_t contact_law_word[CONTACT_LAWS];
 
 #define NUMBER(key, need, Def) CYAML_FIELD_FLOAT(#key, need, Def, key)
 #define NUMBER_OR_NULL(key, Def) CYAML_FIELD_FLOAT_PTR(#key, MAY, Def, key)
@@ -120,6 +121,24 @@ static const cyaml_schema_field_t balloon_field[] = {
 };
 static const cyaml_schema_value_t balloon = {CYAML_VALUE_MAPPING(MUST, BalloonDef, balloon_field)};
 
+static const cyaml_schema_field_t sphere_field[] = {
+    VECTOR(position, MUST, SphereDef),
+    VECTOR(velocity, MAY, SphereDef),
+    NUMBER(radius, MUST, SphereDef),
+    NUMBER(mass, MUST, SphereDef),
+    NUMBER(restitution, MAY, SphereDef),
+    NUMBER(friction, MAY, SphereDef),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t sphere = {CYAML_VALUE_MAPPING(MUST, SphereDef, sphere_field)};
+
+static const cyaml_schema_field_t wall_field[] = {
+    VECTOR(at, MUST, WallDef),
+    VECTOR(normal, MUST, WallDef),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t wall = {CYAML_VALUE_MAPPING(MUST, WallDef, wall_field)};
+
 static const cyaml_schema_field_t about_field[] = {
     TEXT(output, MUST, AboutDef, WORD_MOST),
     NUMBER(at, MUST, AboutDef),
@@ -147,6 +166,9 @@ static const cyaml_schema_field_t world_field[] = {
     NUMBER(seconds, MAY, WorldDef),
     GROUP_OR_NULL(camera, WorldDef, camera_field),
     GROUPS(about, MAY, WorldDef, &about, 0),
+    NAME(contact, MAY, WorldDef, contact_law_word),
+    GROUPS(spheres, MAY, WorldDef, &sphere, 0),
+    GROUPS(walls, MAY, WorldDef, &wall, 0),
     GROUPS(balloons, MUST, WorldDef, &balloon, 1),
     CYAML_FIELD_END,
 };
@@ -163,5 +185,6 @@ const cyaml_schema_value_t* scene_schema(void) {
     name(guard_word, guard_name, GUARD_COUNT);
     name(spring_law_word, spring_law_name, SPRING_LAWS);
     name(inflation_law_word, inflation_law_name, INFLATION_LAWS);
+    name(contact_law_word, contact_law_name, CONTACT_LAWS);
     return &world;
 }

@@ -7,7 +7,46 @@
 #include "base/memory.h"
 #include "world/command.h"
 
+enum { PARTS_MOST = 4096 }; ///< of a step; what is left of it then is dropped: the ball waits
+
+/// Floor, walls, and the balls that are there from the start.
+static void open_collide(World* world) {
+    const WorldDef* def = &world->def;
+    Plane* plane = new_array(Plane, def->walls_count + 1);
+    int planes = 0;
+    if (def->floor)
+        plane[planes++] = (Plane){.point = {0, *def->floor, 0, 0}, .normal = {0, 1, 0, 0}};
+    for (unsigned w = 0; w < def->walls_count; w++) {
+        const double *at = def->walls[w].at, *n = def->walls[w].normal;
+        const double4 normal = {n[0], n[1], n[2], 0};
+        plane[planes++] =
+            (Plane){.point = {at[0], at[1], at[2], 0}, .normal = normal / dlength(normal)};
+    }
+    Body** body = new_array(Body*, world->balloon_count);
+    for (int b = 0; b < world->balloon_count; b++)
+        body[b] = &world->balloon[b].body;
+    collide_open(&world->collide, def->contact, scene_gravity(def), plane, planes, body,
+                 world->balloon_count);
+    free(plane);
+    free(body);
+
+    for (unsigned s = 0; s < def->spheres_count; s++) {
+        const SphereDef* ball = &def->spheres[s];
+        const double none[3] = {0}, *x = ball->position,
+                     *v = ball->velocity ? ball->velocity : none;
+        collide_add(&world->collide, &(Sphere){
+                                         .x = {(real)x[0], (real)x[1], (real)x[2], 0},
+                                         .v = {(real)v[0], (real)v[1], (real)v[2], 0},
+                                         .radius = (real)ball->radius,
+                                         .mass = (real)ball->mass,
+                                         .restitution = (real)ball->restitution,
+                                         .friction = (real)ball->friction,
+                                     });
+    }
+}
+
 static void begin(World* world) {
+    open_collide(world);
     world->step_count = 0;
     world->selected = ALL_BALLOONS;
     world->held = 0;
@@ -37,6 +76,7 @@ bool world_open(World* world, WorldDef* def, Fault* fault) {
 }
 
 void world_reset(World* world) {
+    collide_close(&world->collide);
     for (int b = 0; b < world->balloon_count; b++)
         balloon_reset(&world->balloon[b], &world->def);
     begin(world);
@@ -51,6 +91,31 @@ static void take_hand(World* world) {
             command_table[k].hold(world, world->step);
 }
 
+/// As long as h, in one part, or in several where balls are near: kick, correction and contacts
+/// have their say on the velocities, then everything drifts.
+static void advance(World* world, double h) {
+    for (int parts = 0; h > 0 && parts < PARTS_MOST; parts++) {
+        const double pace = collide_pace(&world->collide, h);
+        for (int b = 0; b < world->balloon_count; b++) {
+            Balloon* balloon = &world->balloon[b];
+            world->method->kick(&balloon->body, pace);
+            correct_velocity(&balloon->correct, &balloon->body, pace);
+        }
+
+        const double drift = collide_velocities(&world->collide, pace);
+        collide_drift(&world->collide, drift);
+        for (int b = 0; b < world->balloon_count; b++)
+            body_drift(&world->balloon[b].body, drift);
+        collide_penalty(&world->collide, drift);
+        world->drift = drift;
+        h -= drift;
+    }
+    if (h > 0)
+        snprintf(world->notice, sizeof world->notice,
+                 "a ball and a skin need more than %d parts of step %ld: %.3g s of it are dropped",
+                 PARTS_MOST, world->step_count, h);
+}
+
 void world_step(World* world) {
     world->clock++;
     if (world->blowup.halted)
@@ -63,16 +128,9 @@ void world_step(World* world) {
     if (world->blowup.halted)
         return;
 
-    // kick: velocities under the forces; correction has its say on them; drift: positions
     const double h = world->step / world->substeps;
-    for (int b = 0; b < world->balloon_count; b++) {
-        Balloon* balloon = &world->balloon[b];
-        for (int part = 0; part < world->substeps; part++) {
-            world->method->kick(&balloon->body, h);
-            correct_velocity(&balloon->correct, &balloon->body, h);
-            body_drift(&balloon->body, h);
-        }
-    }
+    for (int part = 0; part < world->substeps; part++)
+        advance(world, h);
     world->step_count++;
 
     // a state that went bad is caught here, at its step
@@ -89,10 +147,17 @@ uint64_t world_hash(const World* world) {
             hash = hash_bytes(hash, &body->v[i], 3 * sizeof(real));
         }
     }
+    for (int s = 0; s < world->collide.sphere_count; s++) {
+        const Sphere* sphere = &world->collide.sphere[s];
+        hash = hash_bytes(hash, &sphere->x, 3 * sizeof(real));
+        hash = hash_bytes(hash, &sphere->v, 3 * sizeof(real));
+        hash = hash_bytes(hash, &sphere->spin, 3 * sizeof(real));
+    }
     return hash;
 }
 
 void world_close(World* world) {
+    collide_close(&world->collide);
     for (int b = 0; b < world->balloon_count; b++)
         balloon_close(&world->balloon[b]);
     free(world->balloon);

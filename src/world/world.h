@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 
+#include "collide/collide.h"
 #include "solve/method.h"
 #include "world/balloon.h"
 #include "world/record.h"
@@ -17,7 +18,7 @@ enum { ALL_BALLOONS = -1 }; ///< no balloon is selected: keys act on all
 /// A state that went bad, by name. halted is false while all is well.
 typedef struct Blowup {
     bool halted;
-    int balloon;
+    int balloon;    ///< NONE: a ball
     int particle;   ///< loaded number
     long step;      ///< the step in which it was found
     char text[400]; ///< the whole sentence, with the bound that was crossed
@@ -28,6 +29,7 @@ struct World {
     const Method* method;
     Balloon* balloon; ///< [balloon_count]
     int balloon_count;
+    Collide collide; ///< balls, floor, walls
     double step;     ///< h [s]
     long step_count; ///< steps since the start or the last reset
     long clock;      ///< calls of world_step since world_open, which a reset does not turn back
@@ -36,6 +38,7 @@ struct World {
     unsigned held;   ///< commands whose key is down, bit k for row k of command_table
     double bound;    ///< largest stable step of the state last looked at [s]
     int substeps;    ///< equal parts in which the guard has each step made
+    double drift;    ///< length of the last drift, shorter where balls are near [s]
     bool look;       ///< look at the bound before the next step
     Blowup blowup;
     char notice[256]; ///< what the guard did last, to be said once; empty: nothing
@@ -45,7 +48,7 @@ struct World {
 /// this fails). Bad models and refused pairs are faults.
 bool world_open(World* world, WorldDef* def, Fault* fault);
 
-/// One fixed step: kick, correction, drift, guard. Once halted, only the clock goes on.
+/// One fixed step: kick, correction, contacts, drift, guard. Once halted, only the clock goes on.
 void world_step(World* world);
 
 /// Everything as world_open left it.
@@ -59,7 +62,8 @@ static inline double world_time(const World* world) {
     return (double)world->step_count * world->step;
 }
 
-/// Hash of every particle's position and velocity, balloons in order, particles in loaded order.
+/// Hash of every particle's position and velocity, balloons in order, particles in loaded order,
+/// and of every ball's.
 uint64_t world_hash(const World* world);
 
 void world_close(World* world);

@@ -1,8 +1,11 @@
-/// Keys and sessions: no key twice, and what was logged is replayed to the same bits.
+/// Keys, throws and sessions: no key twice, a ball flies to where the mouse points, and what was
+/// logged is replayed to the same bits.
 #include "worlds.h"
 
 #include "show/keys.h"
 #include "show/session.h"
+#include "view/framing.h"
+#include "view/hand.h"
 #include "world/command.h"
 
 static void no_key_stands_twice(void** state) {
@@ -108,6 +111,195 @@ static void another_scene_gets_a_log_of_its_own(void** state) {
     unlink(second);
 }
 
+// ---- throws ----
+
+static const float ASPECT = 16.0f / 9;
+
+typedef struct Thrower {
+    World world;
+    Camera camera;
+    Hand hand;
+} Thrower;
+
+static void thrower_open(Thrower* thrower, const char* const* words) {
+    world_of_list(&thrower->world, words);
+    thrower->camera = framing_first(&thrower->world);
+    thrower->hand = hand_default(&thrower->world, &thrower->camera);
+}
+
+#define THROWER(thrower, ...) thrower_open((thrower), (const char* const[]){__VA_ARGS__, NULL})
+
+static bool aim(const Thrower* thrower, float x, float y, double thrown[THROW_NUMBERS]) {
+    return hand_throw(&thrower->hand, &thrower->world, &thrower->camera, ASPECT,
+                      (const float[]){x, y}, thrown);
+}
+
+static double from_eye(const Camera* camera, const double point[3]) {
+    float eye[3];
+    camera_eye(camera, eye);
+    return sqrt(pow(point[0] - (double)eye[0], 2) + pow(point[1] - (double)eye[1], 2) +
+                pow(point[2] - (double)eye[2], 2));
+}
+
+/// Where a point is in the window, 0 ... 1 from the upper left.
+static void seen_at(const Camera* camera, const double point[3], double at[2]) {
+    float view[16], projection[16];
+    camera_view(camera, view);
+    camera_projection(camera, ASPECT, projection);
+    const double from[4] = {point[0], point[1], point[2], 1};
+    double seen[4] = {0}, clip[4] = {0};
+    for (int i = 0; i < 16; i++)
+        seen[i % 4] += (double)view[i] * from[i / 4];
+    for (int i = 0; i < 16; i++)
+        clip[i % 4] += (double)projection[i] * seen[i / 4];
+    at[0] = 0.5 + 0.5 * clip[0] / clip[3];
+    at[1] = 0.5 - 0.5 * clip[1] / clip[3];
+}
+
+static void a_ball_flies_from_the_eye_through_the_pixel_pointed_at(void** state) {
+    (void)state;
+    Thrower thrower;
+    THROWER(&thrower, "tether");
+    for (int i = 0; i < 9; i++) {
+        const float x = 0.2f + 0.3f * (float)(i % 3), y = 0.1f + 0.3f * (float)(i / 3);
+        double thrown[THROW_NUMBERS], later[3], at[2];
+        assert_true(aim(&thrower, x, y, thrown));
+        assert_less(from_eye(&thrower.camera, thrown), 0.5 * (double)thrower.camera.distance);
+        for (int k = 0; k < 3; k++)
+            later[k] = thrown[k] + 0.1 * thrown[3 + k];
+        assert_less(from_eye(&thrower.camera, thrown), from_eye(&thrower.camera, later));
+
+        // the matrices and the ray are single precision, of numbers of order ten
+        for (int part = 0; part < 2; part++) {
+            seen_at(&thrower.camera, part ? later : thrown, at);
+            assert_near(at[0], (double)x, 2e-5);
+            assert_near(at[1], (double)y, 2e-5);
+        }
+        const double speed =
+            sqrt(thrown[3] * thrown[3] + thrown[4] * thrown[4] + thrown[5] * thrown[5]);
+        assert_close(speed, thrower.hand.speed, 1e-12);
+    }
+    world_close(&thrower.world);
+}
+
+/// However near the eye goes, up to the box of the balloon.
+static void a_ball_starts_in_front_of_the_balloon(void** state) {
+    (void)state;
+    Thrower thrower;
+    THROWER(&thrower, "cube-sphere:6", "balloons.0.strings=[]");
+    thrower.camera.pitch = thrower.camera.yaw = 0;
+    for (double away = 10; away > 0.01; away /= 2) {
+        double thrown[THROW_NUMBERS];
+        // the sphere's radius is 1, its middle the origin; the eye is at +z
+        thrower.camera.distance = (float)(1 + thrower.hand.radius + away);
+        assert_true(aim(&thrower, 0.5f, 0.5f, thrown));
+        assert_true(thrown[2] >= 1 + thrower.hand.radius - 1e-5);
+        assert_true(from_eye(&thrower.camera, thrown) >= 0);
+    }
+    world_close(&thrower.world);
+}
+
+static void a_ball_starts_above_the_floor_or_not_at_all(void** state) {
+    (void)state;
+    Thrower thrower;
+    THROWER(&thrower, "tether");
+    double thrown[THROW_NUMBERS];
+    thrower.camera.pitch = -0.5f; // from below the floor at -4, past it upward
+    assert_true(aim(&thrower, 0.5f, 0.5f, thrown));
+    assert_true(thrown[1] >= -4 + thrower.hand.radius - 1e-9);
+    thrower.camera.target[1] = -30;
+    assert_false(aim(&thrower, 0.5f, 0.5f, thrown));
+    world_close(&thrower.world);
+}
+
+static void a_ball_waits_until_the_one_before_has_left(void** state) {
+    (void)state;
+    Thrower thrower;
+    Session session;
+    Fault fault = {0};
+    THROWER(&thrower, "tether");
+    assert_true(session_open(&session, &thrower.world, NULL, NULL, &fault));
+    double thrown[THROW_NUMBERS];
+    assert_true(aim(&thrower, 0.1f, 0.1f, thrown));
+    assert_true(session_throw(&session, thrown, &fault));
+    assert_false(aim(&thrower, 0.1f, 0.1f, thrown));
+    step(&session, 2 + (int)(2 * thrower.hand.radius / thrower.hand.speed / thrower.world.step));
+    assert_true(aim(&thrower, 0.1f, 0.1f, thrown));
+    session_close(&session);
+    world_close(&thrower.world);
+}
+
+static void the_hand_goes_through_all_its_balls(void** state) {
+    (void)state;
+    const Hand first = {.mass = 0.1, .radius = 0.05, .speed = 1};
+    Hand hand = first;
+    for (int k = 1; k < 5; k++) {
+        hand_next_mass(&hand);
+        hand_next_radius(&hand);
+        assert_close(hand.mass, 0.1 * pow(10, k), 1e-12);
+        assert_close(hand.radius, 0.05 * pow(2, k), 1e-12);
+    }
+    hand_next_mass(&hand);
+    hand_next_radius(&hand);
+    for (int k = 0; k < 7; k++) {
+        const double before = hand.speed;
+        hand_next_speed(&hand);
+        assert_true(k == 6 || hand.speed > before);
+    }
+    assert_memory_equal(&hand, &first, sizeof hand);
+}
+
+/// The tether's sphere is 2 wide and weighs 0.386: an eighth of that is 0.25, and 0.386 is nearer
+/// to 1 than to 0.1.
+static void the_first_ball_suits_the_scene(void** state) {
+    (void)state;
+    Thrower thrower;
+    THROWER(&thrower, "tether");
+    assert_near(thrower.hand.radius, 0.2, 0);
+    assert_near(thrower.hand.mass, 1, 0);
+    const double fall = 4.9 * pow((double)thrower.camera.distance / thrower.hand.speed, 2);
+    assert_less(fall, 0.5);
+    world_close(&thrower.world);
+}
+
+static void a_throw_is_logged_and_replayed_to_the_same_bits(void** state) {
+    (void)state;
+    Thrower thrower;
+    Session session;
+    Fault fault = {0};
+    double thrown[THROW_NUMBERS];
+    THROWER(&thrower, "tether");
+    assert_true(session_open(&session, &thrower.world, NULL, record, &fault));
+    step(&session, 20);
+    assert_true(aim(&thrower, 0.5f, 0.5f, thrown));
+    assert_true(session_throw(&session, thrown, &fault));
+    step(&session, 20);
+    hand_next_mass(&thrower.hand);
+    assert_true(aim(&thrower, 0.45f, 0.55f, thrown));
+    assert_true(session_throw(&session, thrown, &fault));
+    step(&session, 60);
+    session_close(&session);
+    assert_int_equal(thrower.world.collide.sphere_count, 2);
+    const uint64_t want = world_hash(&thrower.world);
+    world_close(&thrower.world);
+
+    Record read;
+    assert_true(record_load(record, &read, &fault));
+    assert_int_equal(read.count, 2);
+    assert_int_equal(read.event[0].kind, EVENT_THROW);
+    assert_int_equal(read.event[0].step, 20);
+    assert_memory_equal(read.event[1].thrown, thrown, sizeof thrown);
+    record_free(&read);
+
+    World world;
+    WORLD_OF(&world, "tether");
+    assert_true(session_open(&session, &world, record, NULL, &fault));
+    step(&session, 100);
+    session_close(&session);
+    assert_true(world_hash(&world) == want);
+    world_close(&world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_key_stands_twice),
@@ -115,6 +307,13 @@ int main(void) {
         cmocka_unit_test(all_keys_fit_the_help_box),
         cmocka_unit_test(a_session_is_replayed_to_the_same_bits),
         cmocka_unit_test(another_scene_gets_a_log_of_its_own),
+        cmocka_unit_test(a_ball_flies_from_the_eye_through_the_pixel_pointed_at),
+        cmocka_unit_test(a_ball_starts_in_front_of_the_balloon),
+        cmocka_unit_test(a_ball_starts_above_the_floor_or_not_at_all),
+        cmocka_unit_test(a_ball_waits_until_the_one_before_has_left),
+        cmocka_unit_test(the_hand_goes_through_all_its_balls),
+        cmocka_unit_test(the_first_ball_suits_the_scene),
+        cmocka_unit_test(a_throw_is_logged_and_replayed_to_the_same_bits),
     };
     return cmocka_run_group_tests(tests, open_record, close_record);
 }

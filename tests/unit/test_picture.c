@@ -197,6 +197,63 @@ static void the_scene_lies_within_its_radius(void** state) {
     studio_close(&studio);
 }
 
+static void throw_at(World* world, double x, double y, double z, double radius) {
+    const Event event = {
+        .step = world->clock, .kind = EVENT_THROW, .thrown = {x, y, z, 0, 0, 0, 1, radius}};
+    Fault fault = {0};
+    assert_true(world_event(world, &event, &fault));
+}
+
+static bool shows_ball(const Picture* picture, double x, double y, double z, double radius) {
+    const float center[3] = {(float)x, (float)y, (float)z};
+    for (int b = 0; b < picture->ball_count; b++)
+        if (distance(picture->ball[b].center, center) < 1e-5 &&
+            fabs((double)picture->ball[b].radius - radius) < 1e-6)
+            return true;
+    return false;
+}
+
+/// Those of the scene, and more and more thrown ones: in every mode.
+static void every_ball_is_drawn_in_every_mode(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether", "spheres=[{position: [3, 0, 0], radius: 0.5, mass: 1}]");
+    assert_true(shows_ball(&studio.picture, 3, 0, 0, 0.5));
+    for (int n = 1; n <= 40; n++) {
+        throw_at(&studio.world, -3, 0.3 * n, 0, 0.1);
+        const Mode* mode = mode_table[n % mode_count];
+        picture_take(&studio.picture, &studio.world, &studio.camera, mode);
+        assert_true(shows_ball(&studio.picture, 3, 0, 0, 0.5));
+        for (int k = 1; k <= n; k++)
+            assert_true(shows_ball(&studio.picture, -3, 0.3 * k, 0, 0.1));
+    }
+    const PictureBall* room = studio.picture.ball;
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    assert_ptr_equal(studio.picture.ball, room);
+    studio_close(&studio);
+}
+
+static void a_ball_widens_the_scene_unless_it_has_flown_away(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    const float before = studio.picture.scene_radius;
+    throw_at(&studio.world, 1e4, 0, 0, 0.5);
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    assert_near((double)studio.picture.scene_radius, (double)before, 0);
+    const Camera camera = framing_all(&studio.world);
+    assert_near((double)camera.distance, (double)studio.camera.distance, 0);
+
+    throw_at(&studio.world, 4, 0, 0, 0.5);
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    const float center[3] = {4, 0, 0};
+    assert_less((double)before, (double)studio.picture.scene_radius);
+    assert_true(distance(center, studio.picture.scene_center) <=
+                (double)studio.picture.scene_radius);
+    assert_less((double)camera.distance, (double)framing_all(&studio.world).distance);
+    studio_close(&studio);
+}
+
 static void the_scenes_camera_stands_where_it_says(void** state) {
     (void)state;
     Studio studio;
@@ -255,6 +312,45 @@ static void a_bad_state_is_said_before_any_message(void** state) {
     studio_close(&studio);
 }
 
+static const char* row(const Panel* panel, const char* label) {
+    for (int r = 0; r < panel->row_count; r++)
+        if (strcmp(panel->row[r].label, label) == 0)
+            return panel->row[r].value;
+    return NULL;
+}
+
+static void balls_are_counted_and_a_pass_through_is_said(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    Panel panel = {0};
+    const Hand hand = {.mass = 10, .radius = 0.2, .speed = 50};
+    Status status = {.mode = &mode_skin, .hand = &hand, .slow = 1, .message = ""};
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_null(row(&panel, "balls"));
+    assert_null(row(&panel, "pass-throughs"));
+
+    throw_at(&studio.world, 3, 0, 0, 0.2);
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&panel, "balls"), "1");
+    assert_string_equal(row(&panel, "next ball"), "mass 10, radius 0.2, speed 50");
+    assert_string_equal(row(&panel, "pass-throughs"), "0");
+    assert_false(panel.alarm);
+
+    studio.world.collide.pass_throughs = 2;
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&panel, "pass-throughs"), "2");
+    assert_true(panel.alarm);
+    assert_non_null(strstr(panel.message, "pass-throughs 2"));
+
+    // what the user has just asked for is read first
+    status.message = "quads";
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(panel.message, "quads");
+    assert_false(panel.alarm);
+    studio_close(&studio);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normals_are_unit_and_point_outward),
@@ -268,10 +364,13 @@ int main(void) {
         cmocka_unit_test(the_springs_mode_draws_each_spring_that_faces_the_eye),
         cmocka_unit_test(a_string_tied_later_is_drawn),
         cmocka_unit_test(the_scene_lies_within_its_radius),
+        cmocka_unit_test(every_ball_is_drawn_in_every_mode),
+        cmocka_unit_test(a_ball_widens_the_scene_unless_it_has_flown_away),
         cmocka_unit_test(the_scenes_camera_stands_where_it_says),
         cmocka_unit_test(the_scale_of_colours_grows_brighter),
         cmocka_unit_test(mode_names_are_found_and_walked_round),
         cmocka_unit_test(a_bad_state_is_said_before_any_message),
+        cmocka_unit_test(balls_are_counted_and_a_pass_through_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

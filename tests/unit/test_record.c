@@ -129,7 +129,10 @@ static const Wrong wrong_table[] = {
     {TITLE "1e3 key inflate down\n",     2, "an event begins with the number of its step"},
     {TITLE "9999999999999999999 key inflate down\n", 2, "an event begins with the number of its step"},
     {TITLE "1\n",                        2, "an event begins with the number of its step"},
-    {TITLE "\n1 throw 0 0 0\n",          3, "no event 'throw'; there are key, set"},
+    {TITLE "\n1 grab 0 0 0\n",           3, "no event 'grab'; there are key, set, throw"},
+    {TITLE "1 throw 0 0 0\n",            2, "this is not STEP throw x y z"},
+    {TITLE "1 throw 0 0 0 0 0 0 1 -1\n", 2, "a mass and a radius above 0"},
+    {TITLE "1 throw 0 0 0 0 0 nan 1 1\n", 2, "finite numbers"},
     {TITLE "1 \n",                       2, "no event ''; there are key, set"},
     {TITLE "1 key\n",                    2, "this is not STEP key NAME down|up"},
     {TITLE "1 key inflate\n",            2, "this is not STEP key NAME down|up"},
@@ -140,7 +143,8 @@ static const Wrong wrong_table[] = {
     {TITLE "1 key inflat down\n",        2, "no key 'inflat'; there are inflate"},
     {TITLE "1 set gravity\n",            2, "this is not STEP set KEY VALUE"},
     {TITLE "1 set a " SIXTY SIXTY "\n",  2, "this is not STEP set KEY VALUE"},
-    {TITLE "1 set " SIXTY SIXTY SIXTY SIXTY SIXTY "\n", 2, "it is too long, or not text"},
+    {TITLE "1 set " SIXTY SIXTY SIXTY SIXTY SIXTY SIXTY SIXTY SIXTY SIXTY "\n", 2,
+     "it is too long, or not text"},
     {TITLE "2 set a 1\n1 set a 1\n",     3, "step 1 comes after step 2: steps do not run backwards"},
 };
 // clang-format on

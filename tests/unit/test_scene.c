@@ -38,6 +38,11 @@ static const char full[] =
     "seconds: 12\n"
     "camera: {eye: [1, 2, 3], look: [4, 5, 6]}\n"
     "about: [{output: balloon0.cy, at: 20, tolerance: 0.05}]\n"
+    "contact: paper\n"
+    "spheres: [{position: [1, 2, 3], velocity: [4, 5, 6], radius: 0.5, mass: 2, restitution: "
+    "0.25,\n"
+    "  friction: 0.75}]\n"
+    "walls: [{at: [0, 0, -7], normal: [0, 0, 2]}]\n"
     "balloons:\n"
     "  - model: cube-sphere:4\n"
     "    position: [1, -2, 3e-1]\n"
@@ -144,6 +149,23 @@ static void every_key_of_a_world_loads_into_its_field(void** state) {
     assert_true(def.about[0].at == 20 && def.about[0].tolerance == 0.05);
     assert_int_equal(def.balloons_count, 1);
     assert_string_equal(def.file, scene);
+    scene_free(&def);
+}
+
+static void every_key_of_spheres_and_walls_loads_into_its_field(void** state) {
+    (void)state;
+    WorldDef def;
+    must_load(full, NULL, &def);
+    assert_int_equal(def.contact, CONTACT_PAPER);
+    assert_int_equal(def.spheres_count, 1);
+    const SphereDef* sphere = &def.spheres[0];
+    assert_vector(sphere->position, 1, 2, 3);
+    assert_vector(sphere->velocity, 4, 5, 6);
+    assert_true(sphere->radius == 0.5 && sphere->mass == 2);
+    assert_true(sphere->restitution == 0.25 && sphere->friction == 0.75);
+    assert_int_equal(def.walls_count, 1);
+    assert_vector(def.walls[0].at, 0, 0, -7);
+    assert_vector(def.walls[0].normal, 0, 0, 2);
     scene_free(&def);
 }
 
@@ -666,6 +688,7 @@ static void a_mutated_scene_is_loaded_or_refused_in_one_sentence(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_key_of_a_world_loads_into_its_field),
+        cmocka_unit_test(every_key_of_spheres_and_walls_loads_into_its_field),
         cmocka_unit_test(every_key_of_a_balloon_loads_into_its_field),
         cmocka_unit_test(every_key_of_inflation_and_strings_loads_into_its_field),
         cmocka_unit_test(what_a_scene_does_not_name_is_absent),

@@ -163,12 +163,47 @@ xdotool key space key q
 leave
 ok "it quits by its key with exit code 0" test $status = 0
 ok "it had nothing to complain about" test ! -s "$scratch/said"
-steps=$(sed -nE 's/^# ([0-9]+) steps.*/\1/p' "$scratch/log")
-seconds=$(awk -v n="${steps:-0}" 'BEGIN { printf "%.17g", 0.002 * n }')
+replays() { # a run of the log ends in the window's hash
+    local steps seconds
+    steps=$(sed -nE 's/^# ([0-9]+) steps.*/\1/p' "$scratch/log")
+    seconds=$(awk -v n="${steps:-0}" 'BEGIN { printf "%.17g", 0.002 * n }')
+    [ "$("$balloon" run "${scene[@]}" --input "$scratch/log" --seconds "$seconds" --hash --quiet)" = \
+        "$(cat "$scratch/hash")" ]
+}
 ok "the log holds the keys" grep -q "key inflate down" "$scratch/log"
-ok "a run replays the log to the same bits" test \
-    "$("$balloon" run "${scene[@]}" --input "$scratch/log" --seconds "$seconds" --hash --quiet)" = \
-    "$(cat "$scratch/hash")"
+ok "a run replays the log to the same bits" replays
+
+# --- balls
+middle() { # of what is much more red than green [px]
+    convert "$1" -color-matrix '1 -1 0 0 0 0 0 0 0' -channel R -separate +channel \
+        -threshold 30% -trim -format '%[fx:round(page.x+w/2)] %[fx:round(page.y+h/2)]' info:
+}
+logged() { [ "$(grep -c "$1" "$scratch/log")" = "$2" ]; }
+field() { grep ' throw ' "$scratch/log" | sed -n "$1p" | cut -d' ' -f"$2"; }
+rm -f "$scratch"/balloon-*.png
+shots=0
+start --record log --hash
+until_true is_open
+ok "another window shows the balloon" until_true grown 2000
+shot
+read -r x y < <(middle "$file")
+xdotool mousemove "$x" "$y" key b
+ok "a key throws a ball" until_true logged ' throw ' 1
+# the balloon is about the origin, with a radius of 1: how near the ball's line comes to it
+ok "to where the mouse points" near "$(field 1 3-8 | awk '{
+    t = -($1 * $4 + $2 * $5 + $3 * $6) / ($4 ^ 2 + $5 ^ 2 + $6 ^ 2)
+    x = $1 + t * $4; y = $2 + t * $5; z = $3 + t * $6
+    print sqrt(x * x + y * y + z * z) }')" 0 1
+xdotool key w mousemove $((x - 200)) "$y" keydown ctrl click 1 keyup ctrl
+ok "so does a click with ctrl" until_true logged ' throw ' 2
+ok "and the weight key has made it heavier" near "$(field 2 9)" "$(field 1 9 | awk '{ print 10 * $1 }')" 0
+xdotool key x
+ok "a key takes all balls away" until_true logged 'key clear down' 1
+xdotool key q
+leave
+ok "a session with balls ends well" test $status = 0
+ok "and has nothing to complain about" test ! -s "$scratch/said"
+ok "a run replays the throws to the same bits" replays
 
 # --- other scenes, and a window that ends by itself
 next_log() { test -s "$scratch/log.2"; }

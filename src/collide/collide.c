@@ -1,0 +1,361 @@
+#include "collide/collide.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "collide/cross.h"
+#include "collide/feature.h"
+#include "collide/paper.h"
+#include "collide/sweep.h"
+
+const char* const contact_law_name[CONTACT_LAWS] = {"impulse", "paper"};
+
+enum { CONTACTS_FIRST = 1024, SPHERES_FIRST = 16, ROUNDS_WITH_PLANES = 4 };
+
+static const double deep = 0.5;    ///< [radii] a ball may come nearer than touching in a part
+static const double least = 0.05;  ///< [radii] that a part may always go
+static const double core = 0.25;   ///< [radii] around the centre that no triangle may come near
+static const double slack = 0.1;   ///< [radii] contacts are looked for beyond what speeds say
+static const double little = 1e-3; ///< [1] of the energy that the first round moved
+
+void collide_open(Collide* collide, ContactLaw law, double gravity, const Plane* plane,
+                  int plane_count, Body* const* body, int body_count) {
+    *collide = (Collide){
+        .law = law,
+        .gravity = gravity,
+        .plane_count = plane_count,
+        .plane = new_array(Plane, plane_count),
+        .skin_count = body_count,
+        .skin = new_array(CollideSkin, body_count),
+    };
+    for (int k = 0; k < plane_count; k++)
+        collide->plane[k] = plane[k];
+    for (int b = 0; b < body_count; b++)
+        collide->skin[b].body = body[b];
+}
+
+/// What only a scene with balls needs, made at the first of them.
+static void begin(Collide* collide) {
+    collide->bullet = bullet_open();
+    for (int k = 0; k < collide->plane_count; k++) {
+        const double4 p = collide->plane[k].point, n = collide->plane[k].normal;
+        bullet_add_plane(collide->bullet, (double[]){p[0], p[1], p[2]},
+                         (double[]){n[0], n[1], n[2]});
+    }
+    for (int b = 0; b < collide->skin_count; b++) {
+        CollideSkin* skin = &collide->skin[b];
+        const Mesh* mesh = skin->body->mesh;
+        skin->owners = feature_owners(mesh);
+        skin->patches = bullet_skin_open(collide->bullet, (const int(*)[3])mesh->triangle,
+                                         mesh->triangle_count, skin->body->x, mesh->point_count);
+    }
+    collide->contact_room = CONTACTS_FIRST;
+    collide->contact = new_array(Contact, CONTACTS_FIRST);
+    collide->triangle = new_array(int, CONTACTS_FIRST);
+    collide->sphere_room = SPHERES_FIRST;
+    collide->sphere = new_array(Sphere, SPHERES_FIRST);
+    collide->good = new_array(Sphere, SPHERES_FIRST);
+    collide->pair = new_array(CollidePair, SPHERES_FIRST * collide->skin_count);
+}
+
+/// `count` more elements: a new array of twice the room with the old one's content.
+static void* grown(void* old, size_t count, size_t size) {
+    void* array = memory_array(2 * count, size);
+    memcpy(array, old, count * size);
+    free(old);
+    return array;
+}
+
+void collide_add(Collide* collide, const Sphere* sphere) {
+    if (!collide->bullet)
+        begin(collide);
+    if (collide->sphere_count == collide->sphere_room) {
+        const size_t room = (size_t)collide->sphere_room;
+        collide->sphere = grown(collide->sphere, room, sizeof(Sphere));
+        collide->good = grown(collide->good, room, sizeof(Sphere));
+        collide->pair =
+            grown(collide->pair, room * (size_t)collide->skin_count, sizeof(CollidePair));
+        collide->sphere_room *= 2;
+    }
+    const int s = collide->sphere_count++;
+    collide->sphere[s] = *sphere;
+    for (int b = 0; b < collide->skin_count; b++) {
+        const Body* body = collide->skin[b].body;
+        const bool inside =
+            body->mesh->closed && cross_winding(body->mesh, body->x, to_double4(sphere->x)) > 0.5;
+        const int side = inside ? -1 : 1;
+        collide->pair[s * collide->skin_count + b] = (CollidePair){.side = side, .now = side};
+    }
+}
+
+void collide_clear(Collide* collide) {
+    collide->sphere_count = 0;
+    collide->contact_count = collide->near_count = 0;
+}
+
+/// Box and fastest particle of a skin, one pass.
+static void look(CollideSkin* skin) {
+    const Body* body = skin->body;
+    double4 low = to_double4(body->x[0]), high = low;
+    real fastest = 0;
+    for (int i = 0; i < body->count; i++) {
+        const double4 x = to_double4(body->x[i]);
+        for (int k = 0; k < 3; k++) {
+            low[k] = x[k] < low[k] ? x[k] : low[k];
+            high[k] = x[k] > high[k] ? x[k] : high[k];
+        }
+        fastest = real_max(fastest, dot(body->v[i], body->v[i]));
+    }
+    skin->low = low;
+    skin->high = high;
+    skin->fastest = sqrt((double)fastest);
+    skin->fitted = false;
+}
+
+static double box_distance(const CollideSkin* skin, double4 point) {
+    double4 away = {0};
+    for (int k = 0; k < 3; k++)
+        away[k] = fmax(fmax(skin->low[k] - point[k], point[k] - skin->high[k]), 0);
+    return dlength(away);
+}
+
+/// Triangles of a skin within reach of a ball's centre, into collide->triangle. Returns the count.
+static int near(Collide* collide, CollideSkin* skin, const Sphere* sphere, double reach) {
+    if (!skin->fitted)
+        bullet_skin_refit(skin->patches, 0);
+    skin->fitted = true;
+    const double center[3] = {(double)sphere->x[0], (double)sphere->x[1], (double)sphere->x[2]};
+    int count;
+    while ((count = bullet_skin_near(collide->bullet, skin->patches, center, reach,
+                                     collide->triangle, collide->contact_room)) >
+           collide->contact_room - collide->near_count) {
+        const size_t room = (size_t)collide->contact_room;
+        collide->contact = grown(collide->contact, room, sizeof(Contact));
+        collide->triangle = grown(collide->triangle, room, sizeof(int));
+        collide->contact_room *= 2;
+    }
+    return count;
+}
+
+/// Distance of a ball's centre to the nearest triangle, or `far` if there is none so near. The
+/// reach is doubled until something is in it, so that a far look costs no more than a near one.
+static double nearest_distance(Collide* collide, CollideSkin* skin, Sphere* sphere, double far) {
+    for (double reach = 1.5 * (double)sphere->radius;; reach *= 2) {
+        const int count = near(collide, skin, sphere, fmin(reach, far));
+        double distance = far;
+        for (int k = 0; k < count; k++) {
+            const Contact contact = contact_make(sphere, skin->body, collide->triangle[k], 1);
+            distance = fmin(distance, (double)(contact.gap + sphere->radius));
+        }
+        if (distance < fmin(reach, far) || reach >= far)
+            return distance;
+    }
+}
+
+/// How long a ball may go before it has to look at a skin again.
+static double pace_of(Collide* collide, CollideSkin* skin, Sphere* sphere, double h) {
+    const double radius = (double)sphere->radius;
+    const double speed = (double)length(sphere->v) + collide->gravity * h + skin->fastest;
+    const double reach = radius + speed * h;
+    if (speed * h <= deep * radius || box_distance(skin, to_double4(sphere->x)) >= reach)
+        return h;
+    const double distance = nearest_distance(collide, skin, sphere, reach);
+    return fmin(h, fmax(deep * radius, distance - radius) / speed);
+}
+
+/// The same for balls among themselves and against planes, which Bullet sees only where they are.
+static double pace_of_balls(const Collide* collide, int s, double h) {
+    const Sphere* a = &collide->sphere[s];
+    const double radius = (double)a->radius;
+    double pace = h;
+    for (int k = 0; k < collide->plane_count; k++) {
+        const Plane* plane = &collide->plane[k];
+        const double gap = ddot(plane->normal, to_double4(a->x) - plane->point) - radius;
+        const double speed = fabs(ddot(plane->normal, to_double4(a->v))) + collide->gravity * h;
+        if (speed > 0)
+            pace = fmin(pace, fmax(deep * radius, gap) / speed);
+    }
+    for (int k = s + 1; k < collide->sphere_count; k++) {
+        const Sphere* b = &collide->sphere[k];
+        const double gap = (double)(length(a->x - b->x) - a->radius - b->radius);
+        const double speed = (double)length(a->v - b->v);
+        if (speed > 0)
+            pace = fmin(pace, fmax(deep * fmin(radius, (double)b->radius), gap) / speed);
+    }
+    return pace;
+}
+
+double collide_pace(Collide* collide, double h) {
+    if (collide->sphere_count == 0 || collide->law == CONTACT_PAPER)
+        return h;
+    for (int b = 0; b < collide->skin_count; b++)
+        look(&collide->skin[b]);
+    collide->contact_count = collide->near_count = 0;
+    double pace = h;
+    for (int s = 0; s < collide->sphere_count; s++) {
+        pace = fmin(pace, pace_of_balls(collide, s, h));
+        for (int b = 0; b < collide->skin_count; b++)
+            pace = fmin(pace, pace_of(collide, &collide->skin[b], &collide->sphere[s], pace));
+    }
+    return pace;
+}
+
+/// Fastest of a triangle's corners as seen from the ball [m/s].
+static double closing(const Contact* c) {
+    real fastest = 0;
+    for (int k = 0; k < 3; k++) {
+        const real4 v = c->sphere->v - c->body->v[c->particle[k]];
+        fastest = real_max(fastest, dot(v, v));
+    }
+    return sqrt((double)fastest);
+}
+
+/// A pair's near triangles as contacts: those that may touch in a drift of length h to the front of
+/// the list, for the solve; the others stay behind them, for `allowed` and the sweep.
+static void gather_pair(Collide* collide, Sphere* sphere, int b, CollidePair* pair, double h) {
+    CollideSkin* skin = &collide->skin[b];
+    const double radius = (double)sphere->radius;
+    const double speed = (double)length(sphere->v) + skin->fastest;
+    const double reach = (1 + slack) * radius + 2 * speed * h;
+    bool touching = false;
+    const int count =
+        box_distance(skin, to_double4(sphere->x)) < reach ? near(collide, skin, sphere, reach) : 0;
+    for (int k = 0; k < count; k++) {
+        Contact contact = contact_make(sphere, skin->body, collide->triangle[k], (real)pair->side);
+        contact.first = !pair->touching;
+        touching |= contact.gap <= (real)1e-3 * sphere->radius;
+        Contact* end = &collide->contact[collide->near_count++];
+        *end = contact;
+        const double soon = 1.5 * closing(&contact) * h + slack * radius;
+        if ((double)contact.gap <= soon && feature_owned(&contact, skin->owners)) {
+            *end = collide->contact[collide->contact_count];
+            collide->contact[collide->contact_count++] = contact;
+        }
+    }
+    pair->touching = touching;
+}
+
+static void gather(Collide* collide, double h) {
+    collide->contact_count = collide->near_count = 0;
+    for (int s = 0; s < collide->sphere_count; s++)
+        for (int b = 0; b < collide->skin_count; b++)
+            gather_pair(collide, &collide->sphere[s], b,
+                        &collide->pair[s * collide->skin_count + b], h);
+}
+
+/// How much of h may be drifted so that no triangle comes into the core of a ball.
+static double allowed(const Collide* collide, double h) {
+    for (int k = 0; k < collide->near_count; k++) {
+        const Contact* c = &collide->contact[k];
+        const double radius = (double)c->sphere->radius;
+        const double room = fmax(least * radius, (double)c->gap + (1 - core) * radius);
+        const double speed = closing(c);
+        if (speed * h > room)
+            h = room / speed;
+    }
+    return h;
+}
+
+static void stop_on_planes(Collide* collide, double h) {
+    for (int b = 0; b < collide->skin_count; b++)
+        for (int k = 0; k < collide->plane_count; k++)
+            plane_stop(collide->skin[b].body, &collide->plane[k], h);
+}
+
+/// Contacts of balls and skins. Skins that are pressed on a plane hand the ball's push on to it,
+/// round by round, until there is little left of it.
+static void solve(Collide* collide, double h) {
+    double first = 0;
+    for (int round = 0; round < ROUNDS_WITH_PLANES; round++) {
+        const ContactReport report = contact_solve(collide->contact, collide->contact_count, h);
+        first = round == 0 ? report.moved : first;
+        if (collide->plane_count == 0 || report.moved <= little * first)
+            return;
+        stop_on_planes(collide, h);
+    }
+}
+
+double collide_velocities(Collide* collide, double h) {
+    stop_on_planes(collide, h);
+    if (collide->sphere_count == 0)
+        return h;
+
+    for (int s = 0; s < collide->sphere_count; s++)
+        collide->sphere[s].v[1] -= (real)(h * collide->gravity);
+    bullet_solve(collide->bullet, collide->sphere, collide->sphere_count, h);
+    if (collide->law == CONTACT_PAPER)
+        return h;
+    gather(collide, h);
+    solve(collide, h);
+    return sweep_stop(collide->contact, collide->near_count, allowed(collide, h));
+}
+
+void collide_drift(Collide* collide, double h) {
+    for (int k = 0; k < collide->near_count; k++) {
+        const Contact* c = &collide->contact[k];
+        if (!sweep_passes(c, h))
+            continue;
+        int b = 0;
+        while (collide->skin[b].body != c->body)
+            b++;
+        CollidePair* pair = &collide->pair[(c->sphere - collide->sphere) * collide->skin_count + b];
+        pair->now = -pair->now;
+        if (pair->now != pair->side)
+            collide->pass_throughs++;
+    }
+    for (int s = 0; s < collide->sphere_count; s++)
+        collide->sphere[s].x += (real)h * collide->sphere[s].v;
+}
+
+void collide_penalty(Collide* collide, double h) {
+    if (collide->law != CONTACT_PAPER)
+        return;
+    for (int s = 0; s < collide->sphere_count; s++) {
+        Sphere* sphere = &collide->sphere[s];
+        for (int b = 0; b < collide->skin_count; b++)
+            sphere->v += (real)h / sphere->mass * paper_push(sphere, collide->skin[b].body);
+    }
+}
+
+void collide_keep(Collide* collide) {
+    collide->good_count = collide->sphere_count;
+    if (collide->good_count)
+        memcpy(collide->good, collide->sphere, (size_t)collide->good_count * sizeof(Sphere));
+}
+
+void collide_put_back(Collide* collide) {
+    collide->sphere_count = collide->good_count;
+    collide->contact_count = collide->near_count = 0;
+    if (collide->good_count)
+        memcpy(collide->sphere, collide->good, (size_t)collide->good_count * sizeof(Sphere));
+}
+
+int collide_bad(const Collide* collide) {
+    for (int s = 0; s < collide->sphere_count; s++) {
+        const Sphere* sphere = &collide->sphere[s];
+        // written so that a NaN fails
+        if (!(dot(sphere->x, sphere->x) < (real)INFINITY) ||
+            !(dot(sphere->v, sphere->v) < (real)INFINITY))
+            return s;
+    }
+    return NONE;
+}
+
+void collide_close(Collide* collide) {
+    if (collide->bullet) {
+        for (int b = 0; b < collide->skin_count; b++) {
+            bullet_skin_close(collide->bullet, collide->skin[b].patches);
+            free(collide->skin[b].owners);
+        }
+        bullet_close(collide->bullet);
+    }
+    free(collide->plane);
+    free(collide->skin);
+    free(collide->sphere);
+    free(collide->good);
+    free(collide->pair);
+    free(collide->contact);
+    free(collide->triangle);
+    *collide = (Collide){0};
+}

@@ -1,0 +1,99 @@
+/// Everything that touches: balls and skins, balls and floor, skins and floor.
+///
+/// A part of a step goes
+///
+///     pace         how long may everything go before contacts are looked at again
+///     kick         velocities under the forces (the caller, solve/)
+///     velocities   balls' weight, Bullet's contacts, skins' contacts: velocities for the drift
+///     drift        balls move; the caller moves the skins
+///
+/// so that nothing passes through: in one part a ball and a skin come at most half a radius nearer
+/// than touching, and the distance to the nearest triangle gives longer parts where nothing is
+/// near. A scene with no ball pays nothing: the pace is what was asked for, and Bullet is not
+/// there.
+#ifndef BALLOON_COLLIDE_COLLIDE_H
+#define BALLOON_COLLIDE_COLLIDE_H
+
+#include "collide/bullet.h"
+#include "collide/contact.h"
+#include "collide/plane.h"
+
+typedef enum ContactLaw {
+    CONTACT_IMPULSE, ///< momentum kept, nothing passes through
+    CONTACT_PAPER,   ///< the mass-spring paper's penalty (collide/paper.h)
+    CONTACT_LAWS
+} ContactLaw;
+extern const char* const contact_law_name[CONTACT_LAWS];
+
+/// A skin that balls can touch.
+typedef struct CollideSkin {
+    Body* body;            ///< the caller's
+    BulletSkin* patches;   ///< NULL until the first ball
+    unsigned char* owners; ///< which triangle a shared corner or edge belongs to (feature.h)
+    double4 low, high;     ///< box of the skin at the last pace
+    double fastest;        ///< speed of its fastest particle at the last pace [m/s]
+    bool fitted;           ///< the patches' boxes are those of the last pace
+} CollideSkin;
+
+/// What is remembered of a ball and a skin.
+typedef struct CollidePair {
+    int side;      ///< 1: the ball began outside the skin, -1 inside
+    int now;       ///< on which side it is now: another than `side` has passed through
+    bool touching; ///< it touched the skin in the last part: a hit is no longer a first one
+} CollidePair;
+
+typedef struct Collide {
+    ContactLaw law;
+    double gravity; ///< [m/s^2] downward, on balls
+    int plane_count;
+    Plane* plane; ///< [plane_count] floor and walls
+    int skin_count;
+    CollideSkin* skin; ///< [skin_count]
+    int sphere_count;
+    int sphere_room;
+    Sphere* sphere;    ///< [sphere_room]
+    CollidePair* pair; ///< [sphere_room * skin_count], ball after ball
+    Bullet* bullet;    ///< NULL until the first ball
+    int contact_count; ///< contacts that may touch in this part
+    int near_count;    ///< those, and behind them the triangles that are near
+    int contact_room;
+    Contact* contact; ///< [contact_room]
+    int* triangle;    ///< [contact_room]
+    Sphere* good;     ///< [sphere_room] last good state, of the first good_count
+    int good_count;
+    long pass_throughs;
+} Collide;
+
+/// No balls yet. body: the skins, which must stay where they are.
+void collide_open(Collide* collide, ContactLaw law, double gravity, const Plane* plane,
+                  int plane_count, Body* const* body, int body_count);
+
+/// A ball more. It is outside or inside each closed skin, by its winding number, and stays there.
+void collide_add(Collide* collide, const Sphere* sphere);
+
+/// No balls any more.
+void collide_clear(Collide* collide);
+
+/// How much of h the world may go in its next part [s], greater than 0.
+double collide_pace(Collide* collide, double h);
+
+/// Velocities that respect all contacts in a drift of length h; returns how much of h may be
+/// drifted, h itself unless the contacts made something much faster.
+double collide_velocities(Collide* collide, double h);
+
+/// Count what is about to pass through, and move the balls. Call before the skins drift.
+void collide_drift(Collide* collide, double h);
+
+/// The paper's penalty, if that is the law: call after the skins have drifted.
+void collide_penalty(Collide* collide, double h);
+
+/// Remember the balls as they are, and put them back; balls added since then go.
+void collide_keep(Collide* collide);
+void collide_put_back(Collide* collide);
+
+/// The first ball whose place or velocity is not finite, or NONE.
+int collide_bad(const Collide* collide);
+
+void collide_close(Collide* collide);
+
+#endif

@@ -1,0 +1,59 @@
+/// Contacts between balls and skins, and the impulses that keep them apart, many solved together.
+///
+/// A contact is a ball, a triangle, the point p = sum w_k x_k of the triangle nearest the ball's
+/// centre c, the unit normal n from p to c and the gap |c - p| - radius. With u the ball's velocity
+/// at p less the skin's, the impulse P on the ball and -w_k P on the triangle's particles is such
+/// that in the coming drift of length h
+///
+///     n.u' >= -gap / h             the ball comes no nearer than touching
+///     n.u' >= -restitution n.u     where it first hits
+///     |P_t| <= friction P_n        Coulomb, against the sliding u_t
+///
+/// Equal and opposite at one point, for c lies on the normal through p: linear and angular momentum
+/// are kept to rounding. The normal part without restitution is the least of a quadratic function
+/// whose value is the change of kinetic energy, so it never rises; where restitution or the way out
+/// of an overlap would raise it, they are scaled back.
+/// Method: projected Gauss-Seidel on the impulses (Jean and Moreau's contact dynamics).
+#ifndef BALLOON_COLLIDE_CONTACT_H
+#define BALLOON_COLLIDE_CONTACT_H
+
+#include "body/body.h"
+#include "collide/sphere.h"
+
+typedef struct Contact {
+    Sphere* sphere;
+    Body* body;
+    int triangle;    ///< of the body's mesh
+    int particle[3]; ///< its corners
+    real weight[3];  ///< w, sum 1
+    real4 normal;    ///< n, from the skin to the ball's centre
+    real4 arm;       ///< p - c [m]
+    real gap;        ///< [m] less than 0 where they overlap
+    bool first;      ///< the ball did not touch this skin before: restitution applies
+
+    real compliance; ///< inverse mass that a normal impulse meets [1/kg]
+    real slide;      ///< inverse mass that a tangential impulse meets [1/kg]
+    real wanted;     ///< least n.u' that is asked for beyond -gap/h [m/s]
+    real push;       ///< normal impulse so far [N s]
+    real4 rub;       ///< tangential impulse so far [N s]
+} Contact;
+
+/// What a solve did, for tests and the overlay.
+typedef struct ContactReport {
+    int rounds;     ///< sweeps over all contacts
+    double kinetic; ///< change of kinetic energy, never above 0 but for rounding [J]
+    double moved;   ///< kinetic energy that went either way between balls and skins [J]
+    double scale;   ///< part of restitution and way out that energy allowed
+} ContactReport;
+
+/// The contact of a ball with a triangle as they are now. Where the centre lies in the triangle's
+/// plane the normal is the triangle's, times `side`.
+Contact contact_make(Sphere* sphere, Body* body, int triangle, real side);
+
+/// Change velocities and spins so that the drift of length h meets the conditions above.
+ContactReport contact_solve(Contact* contact, int count, double h);
+
+/// u: the ball's velocity at the contact's point less the skin's.
+real4 contact_approach(const Contact* contact);
+
+#endif

@@ -1,0 +1,30 @@
+/// A rigid ball: thrown at balloons, resting on them, rolling on the floor.
+#ifndef BALLOON_COLLIDE_SPHERE_H
+#define BALLOON_COLLIDE_SPHERE_H
+
+#include "base/vec.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct Sphere {
+    real4 x;          ///< centre [m]
+    real4 v;          ///< velocity [m/s]
+    real4 spin;       ///< angular velocity [rad/s]
+    real radius;      ///< [m]
+    real mass;        ///< [kg]
+    real restitution; ///< of a first hit, 0 sticks, 1 bounces back as fast
+    real friction;    ///< Coulomb's coefficient against skins, floor and other spheres
+} Sphere;
+
+/// Moment of inertia of a solid ball about its centre [kg m^2].
+static inline real sphere_inertia(const Sphere* sphere) {
+    return (real)0.4 * sphere->mass * sphere->radius * sphere->radius;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,55 @@
+#include "collide/sweep.h"
+
+#include "collide/cross.h"
+
+enum { ROUNDS_MOST = 32 };
+static const double shortest = 1e-9; ///< [s] of a drift
+
+bool sweep_passes(const Contact* c, double h) {
+    double4 a[3], da[3];
+    for (int k = 0; k < 3; k++) {
+        a[k] = to_double4(c->body->x[c->particle[k]]);
+        da[k] = h * to_double4(c->body->v[c->particle[k]]);
+    }
+    double turn;
+    return cross_time(to_double4(c->sphere->x), h * to_double4(c->sphere->v), a, da, &turn) <= 1;
+}
+
+/// What the impulses could not solve stops: the ball and the triangle's particles go on together,
+/// with their common linear momentum. A held particle stops them all.
+static void join(const Contact* c) {
+    double mass = (double)c->sphere->mass;
+    double4 momentum = mass * to_double4(c->sphere->v);
+    bool held = false;
+    for (int k = 0; k < 3; k++) {
+        const int i = c->particle[k];
+        held |= c->body->inverse_mass[i] <= 0;
+        mass += (double)c->body->mass[i];
+        momentum += (double)c->body->mass[i] * to_double4(c->body->v[i]);
+    }
+    const real4 v = held ? (real4){0, 0, 0, 0} : to_real4(momentum / mass);
+    c->sphere->v = v;
+    for (int k = 0; k < 3; k++)
+        c->body->v[c->particle[k]] = v;
+}
+
+/// Join what would pass through, until nothing would. False where rounds run out.
+static bool stop_all(const Contact* near, int count, double h) {
+    for (int round = 0; round < ROUNDS_MOST; round++) {
+        bool any = false;
+        for (int k = 0; k < count; k++)
+            if (sweep_passes(&near[k], h)) {
+                join(&near[k]);
+                any = true;
+            }
+        if (!any)
+            return true;
+    }
+    return false;
+}
+
+double sweep_stop(const Contact* near, int count, double h) {
+    while (!stop_all(near, count, h) && h > shortest)
+        h /= 2;
+    return h;
+}

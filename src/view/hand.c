@@ -1,0 +1,161 @@
+#include "view/hand.h"
+
+// From a tenth of a kilogram upward as in the mass-spring paper; radii are doubled.
+static const double MASSES[] = {0.1, 1, 10, 100, 1000};
+static const double RADII[] = {0.05, 0.1, 0.2, 0.4, 0.8};
+static const double SPEEDS[] = {1, 5, 10, 20, 50, 100, 200};
+enum {
+    MASS_COUNT = sizeof MASSES / sizeof *MASSES,
+    RADIUS_COUNT = sizeof RADII / sizeof *RADII,
+    SPEED_COUNT = sizeof SPEEDS / sizeof *SPEEDS,
+};
+
+// A first ball is small enough to dent a balloon, and large enough to be seen. [of its size]
+static const double RADIUS_SHARE = 1.0 / 8;
+// On its way to what the eye looks at, it falls by no more than this. [of a balloon's size]
+static const double FALL_SHARE = 1.0 / 4;
+// And it is there before one waits for it. [s]
+static const double FLIGHT_MOST = 0.5;
+// So far before the eye, in radii, a ball is a third of a picture of 0.6 rad high.
+static const double BEFORE_EYE = 10;
+// But no farther than this. [parts of the way to what the eye looks at]
+static const double BEFORE_EYE_MOST = 0.4;
+
+// ---- the ball ----
+
+/// The number of a list that is nearest to `wish` as a ratio.
+static double nearest(const double* list, int count, double wish) {
+    double best = list[0];
+    for (int k = 1; k < count; k++)
+        if (wish * wish > best * list[k]) // above the geometric mean of the two
+            best = list[k];
+    return best;
+}
+
+static double next(const double* list, int count, double value) {
+    for (int k = 0; k < count; k++)
+        if (list[k] > value)
+            return list[k];
+    return list[0];
+}
+
+void hand_next_mass(Hand* hand) {
+    hand->mass = next(MASSES, MASS_COUNT, hand->mass);
+}
+
+void hand_next_radius(Hand* hand) {
+    hand->radius = next(RADII, RADIUS_COUNT, hand->radius);
+}
+
+void hand_next_speed(Hand* hand) {
+    hand->speed = next(SPEEDS, SPEED_COUNT, hand->speed);
+}
+
+Hand hand_default(const World* world, const Camera* camera) {
+    double mass = 0, size = 0;
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Body* body = &world->balloon[b].body;
+        size += body->size / world->balloon_count;
+        for (int i = 0; i < body->count; i++)
+            mass += (double)body->mass[i] / world->balloon_count;
+    }
+
+    // a fall of g/2 (way/speed)^2 = FALL_SHARE size
+    const double way = (double)camera->distance;
+    const double fall = way * sqrt(world->collide.gravity / (2 * FALL_SHARE * size));
+    return (Hand){
+        .mass = nearest(MASSES, MASS_COUNT, mass),
+        .radius = nearest(RADII, RADIUS_COUNT, RADIUS_SHARE * size),
+        .speed = nearest(SPEEDS, SPEED_COUNT, fmax(fall, way / FLIGHT_MOST)),
+    };
+}
+
+// ---- the throw ----
+
+/// A line of sight, and the part of it that is open to a ball's centre.
+typedef struct Sight {
+    double4 eye;
+    double4 along; ///< of unit length
+    double from;   ///< [m] from the eye
+    double to;     ///< [m]
+} Sight;
+
+static Sight sight_through(const Camera* camera, float aspect, const float pointer[2]) {
+    float eye[3], ray[3];
+    camera_eye(camera, eye);
+    camera_ray(camera, aspect, pointer[0], pointer[1], ray);
+    const double4 along = {ray[0], ray[1], ray[2], 0};
+    return (Sight){
+        .eye = {eye[0], eye[1], eye[2], 0},
+        .along = along / dlength(along),
+        .to = (double)camera->distance,
+    };
+}
+
+/// Leave only what is a radius before a plane.
+static void keep_before(Sight* sight, const Plane* plane, double radius) {
+    const double gap = ddot(plane->normal, sight->eye - plane->point) - radius;
+    const double rise = ddot(plane->normal, sight->along);
+    if (rise > 0)
+        sight->from = fmax(sight->from, -gap / rise);
+    else if (rise < 0)
+        sight->to = fmin(sight->to, -gap / rise);
+    else if (gap < 0)
+        sight->to = -1;
+}
+
+/// Where the line enters a balloon's box, widened by a radius; INFINITY if it does not, or if the
+/// eye is within.
+static double entry(const Sight* sight, const Body* body, double radius) {
+    double4 low = to_double4(body->x[0]), high = low;
+    for (int i = 0; i < body->count; i++) {
+        const double4 x = to_double4(body->x[i]);
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], x[k]);
+            high[k] = fmax(high[k], x[k]);
+        }
+    }
+
+    double enter = -INFINITY, leave = INFINITY;
+    for (int k = 0; k < 3; k++) {
+        // a line that is parallel to two sides meets them at infinities, or is never between them
+        const double a = (low[k] - radius - sight->eye[k]) / sight->along[k];
+        const double b = (high[k] + radius - sight->eye[k]) / sight->along[k];
+        enter = fmax(enter, fmin(a, b));
+        leave = fmin(leave, fmax(a, b));
+    }
+    return enter >= 0 && enter < leave ? enter : INFINITY;
+}
+
+static bool is_free(const World* world, double4 center, double radius) {
+    for (int s = 0; s < world->collide.sphere_count; s++) {
+        const Sphere* other = &world->collide.sphere[s];
+        if (dlength(to_double4(other->x) - center) < radius + (double)other->radius)
+            return false;
+    }
+    return true;
+}
+
+bool hand_throw(const Hand* hand, const World* world, const Camera* camera, float aspect,
+                const float pointer[2], double thrown[THROW_NUMBERS]) {
+    Sight sight = sight_through(camera, aspect, pointer);
+    for (int k = 0; k < world->collide.plane_count; k++)
+        keep_before(&sight, &world->collide.plane[k], hand->radius);
+    if (sight.from > sight.to)
+        return false;
+
+    // a little before the eye, but in front of the balloons
+    double start = fmin(BEFORE_EYE * hand->radius, BEFORE_EYE_MOST * (double)camera->distance);
+    for (int b = 0; b < world->balloon_count; b++)
+        start = fmin(start, entry(&sight, &world->balloon[b].body, hand->radius));
+    start = fmin(fmax(start, sight.from), sight.to);
+
+    const double4 center = sight.eye + start * sight.along;
+    for (int k = 0; k < 3; k++) {
+        thrown[k] = center[k];
+        thrown[3 + k] = hand->speed * sight.along[k];
+    }
+    thrown[6] = hand->mass;
+    thrown[7] = hand->radius;
+    return is_free(world, center, hand->radius);
+}

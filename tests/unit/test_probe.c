@@ -1,0 +1,110 @@
+/// What can be measured: the columns of a CSV follow from the scene, and hold what they say.
+#include "worlds.h"
+
+static const char* const two_balls =
+    "spheres=[{position: [3, 1, 0.5], velocity: [-1, 0.25, 2], radius: 0.5, mass: 1}, "
+    "{position: [-3, 1, 0], radius: 0.5, mass: 1}]";
+
+/// The CSV's header and first row, as the program writes them.
+static void csv(const World* world, char text[8192]) {
+    FILE* out = tmpfile();
+    probe_csv_header(world, out);
+    probe_csv_row(world, out);
+    rewind(out);
+    text[fread(text, 1, 8191, out)] = 0;
+    fclose(out);
+}
+
+static int commas(const char* line) {
+    int count = 0;
+    for (; *line && *line != '\n'; line++)
+        count += *line == ',';
+    return count;
+}
+
+static void each_name_has_a_number(void** state) {
+    (void)state;
+    static const char* const scene[] = {"tether", "grid:6x6", "party"};
+    for (size_t s = 0; s < sizeof scene / sizeof *scene; s++) {
+        World world;
+        char text[8192];
+        WORLD_OF(&world, scene[s], two_balls);
+        csv(&world, text);
+        const char* row = strchr(text, '\n') + 1;
+        assert_int_equal(commas(text), commas(row));
+        assert_true(strncmp(text, "t,balloon0.", 11) == 0);
+        world_close(&world);
+    }
+}
+
+static void balls_of_the_scene_have_columns_in_order(void** state) {
+    (void)state;
+    World world;
+    char text[8192];
+    WORLD_OF(&world, "tether", two_balls);
+    csv(&world, text);
+    const char* want = ",sphere0.x,sphere0.y,sphere0.z,sphere0.vx,sphere0.vy,sphere0.vz,"
+                       "sphere1.x,sphere1.y,sphere1.z,sphere1.vx,sphere1.vy,sphere1.vz,"
+                       "pass_throughs\n";
+    const char* row = strchr(text, '\n') + 1;
+    assert_int_equal(strncmp(row - strlen(want), want, strlen(want)), 0);
+
+    const char* numbers = ",3,1,0.5,-1,0.25,2,-3,1,0,0,0,0,0\n";
+    assert_string_equal(text + strlen(text) - strlen(numbers), numbers);
+    world_close(&world);
+}
+
+static void throw_one(World* world) {
+    const Event event = {
+        .step = world->clock, .kind = EVENT_THROW, .thrown = {0.5, 4, 0, 0, 1, 0, 1, 0.25}};
+    Fault fault = {0};
+    assert_true(world_event(world, &event, &fault));
+}
+
+/// The CSV's columns are those of the scene; who asks by name is told of thrown balls too.
+static void thrown_balls_have_values_and_no_columns(void** state) {
+    (void)state;
+    World world;
+    char before[8192], after[8192];
+    double value;
+    WORLD_OF(&world, "tether");
+    csv(&world, before);
+    assert_null(strstr(before, "sphere"));
+    assert_null(strstr(before, "pass_throughs"));
+    assert_false(probe_value(&world, "pass_throughs", &value));
+    throw_one(&world);
+    csv(&world, after);
+    assert_string_equal(after, before);
+    assert_near(probe(&world, "sphere0.x"), 0.5, 0);
+    assert_near(probe(&world, "sphere0.vy"), 1, 0);
+    assert_near(probe(&world, "pass_throughs"), 0, 0);
+    world_close(&world);
+}
+
+static void a_ball_that_was_taken_away_is_nowhere(void** state) {
+    (void)state;
+    World world;
+    char before[8192], after[8192];
+    WORLD_OF(&world, "tether", two_balls);
+    csv(&world, before);
+    press(&world, "clear", "down");
+    csv(&world, after);
+    const size_t names = strcspn(before, "\n");
+    assert_memory_equal(before, after, names);
+    assert_true(isnan(probe(&world, "sphere0.x")) && isnan(probe(&world, "sphere1.vz")));
+    assert_near(probe(&world, "pass_throughs"), 0, 0);
+    throw_one(&world); // the first ball that there is
+    assert_near(probe(&world, "sphere0.x"), 0.5, 0);
+    assert_true(isnan(probe(&world, "sphere1.x")));
+    world_close(&world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_name_has_a_number),
+        cmocka_unit_test(balls_of_the_scene_have_columns_in_order),
+        cmocka_unit_test(thrown_balls_have_values_and_no_columns),
+        cmocka_unit_test(a_ball_that_was_taken_away_is_nowhere),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
