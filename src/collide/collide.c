@@ -94,23 +94,15 @@ void collide_clear(Collide* collide) {
     collide->contact_count = collide->near_count = 0;
 }
 
-/// Box and fastest particle of a skin, one pass.
+/// Boxes of a skin's patches and its fastest particle, as they are now.
 static void look(CollideSkin* skin) {
+    bullet_skin_refit(skin->patches, 0);
+    bullet_skin_box(skin->patches, skin->low, skin->high);
     const Body* body = skin->body;
-    double4 low = to_double4(body->x[0]), high = low;
     real fastest = 0;
-    for (int i = 0; i < body->count; i++) {
-        const double4 x = to_double4(body->x[i]);
-        for (int k = 0; k < 3; k++) {
-            low[k] = x[k] < low[k] ? x[k] : low[k];
-            high[k] = x[k] > high[k] ? x[k] : high[k];
-        }
+    for (int i = 0; i < body->count; i++)
         fastest = real_max(fastest, dot(body->v[i], body->v[i]));
-    }
-    skin->low = low;
-    skin->high = high;
     skin->fastest = sqrt((double)fastest);
-    skin->fitted = false;
 }
 
 static double box_distance(const CollideSkin* skin, double4 point) {
@@ -122,9 +114,6 @@ static double box_distance(const CollideSkin* skin, double4 point) {
 
 /// Triangles of a skin within reach of a ball's centre, into collide->triangle. Returns the count.
 static int near(Collide* collide, CollideSkin* skin, const Sphere* sphere, double reach) {
-    if (!skin->fitted)
-        bullet_skin_refit(skin->patches, 0);
-    skin->fitted = true;
     const double center[3] = {(double)sphere->x[0], (double)sphere->x[1], (double)sphere->x[2]};
     int count;
     while ((count = bullet_skin_near(collide->bullet, skin->patches, center, reach,

@@ -27,12 +27,11 @@ extern const char* const contact_law_name[CONTACT_LAWS];
 
 /// A skin that balls can touch.
 typedef struct CollideSkin {
-    Body* body;            ///< the caller's
-    BulletSkin* patches;   ///< NULL until the first ball
-    unsigned char* owners; ///< which triangle a shared corner or edge belongs to (feature.h)
-    double4 low, high;     ///< box of the skin at the last pace
-    double fastest;        ///< speed of its fastest particle at the last pace [m/s]
-    bool fitted;           ///< the patches' boxes are those of the last pace
+    Body* body;             ///< the caller's
+    BulletSkin* patches;    ///< NULL until the first ball
+    unsigned char* owners;  ///< which triangle a shared corner or edge belongs to (feature.h)
+    double low[3], high[3]; ///< box of the skin at the last pace
+    double fastest;         ///< speed of its fastest particle at the last pace [m/s]
 } CollideSkin;
 
 /// What is remembered of a ball and a skin.
