@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "force/force.h"
+#include "lab/bench.h"
 #include "mesh/load.h"
 #include "mesh/shape.h"
 #include "show/show.h"
@@ -29,7 +30,7 @@ typedef struct Options {
     const char* csv;
     const char* obj;
     const char* mode;
-    bool hash, time, quiet, overlay;
+    bool hash, time, quiet, overlay, quick;
     SceneSet set[SETS_MOST];
     int set_count;
     char typed[SETS_MOST][256]; ///< texts of the sets that options such as --step stand for
@@ -63,6 +64,7 @@ static const Option option_table[] = {
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping alone",            FLAG(time)},
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
+    {"--quick",     NULL,       "bench: a thinned measurement",                    FLAG(quick)},
     {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
     {"--step",      "S",        "length of a step [s]",                            .key = "step"},
     {"--guard",     "split|stop|off", "what to do with a step that is too long",   .key = "guard"},
@@ -207,6 +209,16 @@ static bool verb_check(const Options* options, Fault* fault) {
     return true;
 }
 
+static bool verb_bench(const Options* options, Fault* fault) {
+    const BenchCase* one = options->target ? bench_find(options->target) : NULL;
+    if (options->target && !one)
+        return fault_set(fault, options->target, "no such bench; see balloon list");
+    for (int k = 0; k < bench_count; k++)
+        if ((!one || one == bench_table[k]) && !bench_table[k]->run(options->quick, fault))
+            return false;
+    return true;
+}
+
 static bool verb_list(const Options* options, Fault* fault) {
     (void)options;
     (void)fault;
@@ -234,6 +246,9 @@ static bool verb_list(const Options* options, Fault* fault) {
     puts("methods");
     for (int k = 0; k < method_count; k++)
         printf("  %-22s %s\n", method_table[k]->name, method_table[k]->about);
+    puts("benches");
+    for (int k = 0; k < bench_count; k++)
+        printf("  %-22s %s\n", bench_table[k]->name, bench_table[k]->about);
     puts("display modes");
     for (int k = 0; k < mode_count; k++)
         printf("  %-22s %s\n", mode_table[k]->name, mode_table[k]->about);
@@ -246,6 +261,7 @@ static const Verb verb_table[] = {
     {"render", "SCENE|MESH",   "headless frames or a film",                        verb_render},
     {"run",    "SCENE|MESH",   "simulate only, no drawing",                        verb_run},
     {"check",  "MESH",         "the mesh doctor; exit 1 if it is unusable",        verb_check},
+    {"bench",  "[CASE]",       "measure: all cases, or one",                      verb_bench},
     {"list",   "",             "scenes, shapes, forces, methods, display modes",   verb_list},
 };
 enum { VERBS = sizeof verb_table / sizeof *verb_table };

@@ -12,6 +12,7 @@ declare -A may=(
     [correct]="base mesh body correct"
     [collide]="base mesh body collide"
     [world]="base mesh body force solve correct collide world"
+    [lab]="base mesh body force solve correct collide world lab"
     [view]="base mesh body world view"
     [draw]="base view draw"
     [hud]="base view hud"

@@ -14,6 +14,9 @@ column() { # column FILE NAME ROW: a CSV's value
         NR == row + 2 { print $c }' "$1"
 }
 
+bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
+usage() { ok "refuses usage: $*" refuses 2 "$1" "${@:2}"; }
+
 # --- the doctor
 for n in 2 3 7 12; do
     out=$("$balloon" check cube-sphere:$n)
@@ -78,13 +81,14 @@ ok "list names every scene" test "$("$balloon" list | grep -c -E "$(ls -1 assets
 ok "help walks the keys" grep -q "inflate while held" <("$balloon" --help)
 ok "version says the precision" grep -q double <("$double" --version)
 
+ok "a bench counts what passes through" grep -qE "^ +384 +1[0-9] +0 +0 " <("$balloon" bench contacts --quick)
+bad "no such bench" "$balloon" bench nothing
+
 # --- an install
 make -s BUILD="$build" PREFIX="$scratch/usr" install >/dev/null
 ok "an installed program finds its scenes" env -C / "$scratch/usr/bin/balloon" run party --seconds 0.01
 
 # --- bad input: one sentence, exit 1 (2 for wrong usage), nothing half-written
-bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
-usage() { ok "refuses usage: $*" refuses 2 "$1" "${@:2}"; }
 cube='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n'
 : >"$scratch/empty.obj"
 head -c 3000 /dev/urandom >"$scratch/binary.obj"

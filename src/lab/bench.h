@@ -1,0 +1,24 @@
+/// What is measured rather than tested: a table of cases, `balloon bench CASE`.
+#ifndef BALLOON_LAB_BENCH_H
+#define BALLOON_LAB_BENCH_H
+
+#include "base/fault.h"
+
+typedef struct BenchCase {
+    const char* name;
+    const char* about;
+
+    /// Measure and print the table; `quick` takes a thinned one. False where it could not be done,
+    /// or where what must not happen did.
+    bool (*run)(bool quick, Fault* fault);
+} BenchCase;
+
+extern const BenchCase bench_contacts;
+
+extern const BenchCase* const bench_table[];
+extern const int bench_count;
+
+/// Row by name, or NULL.
+const BenchCase* bench_find(const char* name);
+
+#endif
