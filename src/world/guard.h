@@ -5,10 +5,10 @@
 /// it, `split` divides the step into equal substeps, `stop` refuses, `off` lets it run. The bound
 /// is taken again every GUARD_INTERVAL steps, for it moves with the pressure.
 ///
-/// A state is bad when a particle's position is not finite, or when in one step it moves by more
-/// than the balloon's first size against the balloon's mean: found at that step in every mode. So
-/// is a ball that is not finite. The last good state, at most GUARD_INTERVAL steps old, is put back
-/// and the world halts.
+/// A state is bad when a particle's position is not finite, or when in one drift it moves by more
+/// than ten times the balloon's first size against the balloon's mean: found at that step in every
+/// mode. So is a ball that is not finite. The last good state, at most GUARD_INTERVAL steps old, is
+/// put back and the world halts.
 #ifndef BALLOON_WORLD_GUARD_H
 #define BALLOON_WORLD_GUARD_H
 
