@@ -1,0 +1,207 @@
+/// What is wrong in a scene is said in one sentence with its line.
+#include "scenes.h"
+
+/// `smallest` with one thing wrong: a text, and what is said of which line.
+typedef struct Wrong {
+    const char* text;
+    int line;
+    const char* words;
+} Wrong;
+
+// clang-format off
+static const Wrong wrong_table[] = {
+    // keys
+    {HEAD "    helum: {base: 2}\n",  5, "no key 'helum' in balloons.0; there are model, position"},
+    {HEAD "stp: 2\n",                5, "no key 'stp' in a scene; there are title, units, step"},
+    {HEAD "    skin: {springs: {sheer: 1}}\n", 5,
+     "no key 'sheer' in balloons.0.skin.springs; there are structural, shear, flexion, torsion, law"},
+    {HEAD "    scale: 1\n    scale: 2\n", 6, "'scale' stands twice in balloons.0"},
+    {HEAD "[a]: 2\n",                5, "a key in a scene must be a word"},
+    {HEAD "\"ti\\0tle\": 2\n",       5, "no key 'ti' in a scene"},
+    {"balloons: [{model: cube, mass: {per_particle: 1}}]\n", 1, "a scene needs the key 'step'"},
+    {"\nstep: 0.1\n",                2, "a scene needs the key 'balloons'"},
+    {"step: 0.1\nballoons: []\n",    2, "balloons needs at least 1"},
+    {"step: 0.1\nballoons:\n - mass: {per_particle: 1}\n", 3, "balloons.0 needs the key 'model'"},
+    {"step: 0.1\nballoons:\n - model: cube\n", 3, "balloons.0 needs the key 'mass'"},
+    {HEAD "    skin: {}\n",          5, "balloons.0.skin needs the key 'springs'"},
+    {HEAD "    inflation: {amount: 1}\n", 5, "balloons.0.inflation needs the key 'law'"},
+    {HEAD "camera: {eye: [0, 0, 0]}\n", 5, "camera needs the key 'look'"},
+    // types
+    {"- 1\n- 2\n",                   1, "a scene must be keys with values; there are title"},
+    {"hello\n",                      1, "a scene must be keys with values"},
+    {HEAD "    skin: soft\n",        5, "balloons.0.skin must be keys with values; there are springs"},
+    {HEAD "    skin:\n",             5, "balloons.0.skin must be keys with values"},
+    {HEAD "    strings: {to: 1}\n",  5, "balloons.0.strings must be a list"},
+    {HEAD "    turn: [1]\n",         5, "balloons.0.turn must be one value, not a list"},
+    {HEAD "    turn: {a: 1}\n",      5, "balloons.0.turn must be one value, not keys with values"},
+    {HEAD "    turn: fast\n",        5, "balloons.0.turn must be a number, not 'fast'"},
+    {HEAD "    turn: 90deg\n",       5, "balloons.0.turn must be a number, not '90deg'"},
+    {HEAD "    turn: 0,5\n",         5, "balloons.0.turn must be a number, not '0,5'"},
+    {HEAD "    turn: 0x10\n",        5, "balloons.0.turn must be a number, not '0x10'"},
+    {HEAD "    turn: nan\n",         5, "balloons.0.turn must be a number, not 'nan'"},
+    {HEAD "    turn: -.inf\n",       5, "balloons.0.turn must be a number, not '-.inf'"},
+    {HEAD "    turn: --1\n",         5, "balloons.0.turn must be a number, not '--1'"},
+    {HEAD "    turn:\n",             5, "balloons.0.turn must be a number, not ''"},
+    {HEAD "    turn: 1e999\n",       5, "balloons.0.turn is 1e999, which is beyond the numbers"},
+    {HEAD "    turn: 1e-999\n",      5, "balloons.0.turn is 1e-999, which is beyond the numbers"},
+    {HEAD "    hold_rim: maybe\n",   5, "balloons.0.hold_rim must be true or false, not 'maybe'"},
+    {HEAD "    position: 3\n",       5, "balloons.0.position must be a list of 3 numbers"},
+    {HEAD "    position: [1, 2]\n",  5, "balloons.0.position must be 3 numbers, not 2"},
+    {HEAD "    color: [1, 1, 1, 1]\n", 5, "balloons.0.color must be 3 numbers, not 4"},
+    {HEAD "    position: [1,\n     b, 2]\n", 6, "balloons.0.position.1 must be a number, not 'b'"},
+    {HEAD "title: ''\n",             5, "title must not be empty"},
+    {HEAD "title: \"a\\0b\"\n",      5, "title has a zero byte in it"},
+    // names
+    {HEAD "units: imperial\n",       5, "no units 'imperial'; there are si, paper"},
+    {HEAD "guard: 1\n",              5, "no guard '1'; there are split, stop, off"},
+    {HEAD "precision: half\n",       5, "no precision 'half'; there are any, float, double"},
+    {HEAD "    skin: {springs: {structural: 1, law: hook}}\n", 5, "no law 'hook'; there are hooke, rubber"},
+    {HEAD "    inflation: {law: air}\n", 5, "no law 'air'; there are none, area, pressure, gas"},
+    {HEAD "method: magic\n",         5, "no method 'magic'; there are euler"},
+    // keys among each other
+    {HEAD "    damping: {rate: 1, coefficient: 2}\n", 5, "balloons.0: give coefficient or rate, not both"},
+    {HEAD "    skin: {springs: {}}\n", 5, "no kind of spring has a stiffness"},
+    {HEAD "    strings: [{to: [0, 0, 0], stiffness: 1}]\n", 5, "a string needs a skin"},
+    {HEAD "    skin: {springs: {shear: 1}}\n    strings: [{stiffness: 1}]\n", 6, "hangs down to the floor"},
+    {HEAD "    skin: {springs: {shear: 1}}\n    strings: [{to: [0, 0, 0], at: top, stiffness: 1}]\n", 6,
+     "`at` must be nearest, lowest, highest or the number of a particle"},
+    {HEAD "    correction: {shear: 0.1}\n", 5, "correction needs springs"},
+    {HEAD "    inflation: {law: area, ambient: 1}\n", 5, "only the law gas has an ambient pressure"},
+    {HEAD "    inflation: {law: gas,\n      amount: -1}\n", 6, "there is no gas of less than nothing"},
+    {HEAD "    inflation: {law: area, least: 2, most: 1}\n", 5, "most must be greater than least"},
+    {HEAD "camera: {eye: [0, 1, 0], look: [0, 1, 0]}\n", 5, "the camera's eye is where it looks"},
+    // YAML itself
+    {HEAD "    color: [1, 1\n",      5, "this is not YAML"},
+    {HEAD "   color: 1\n",           5, "this is not YAML"},
+    {HEAD "\ttitle: a\n",            5, "this is not YAML"},
+    {HEAD "    color: *nothing\n",   5, "this is not YAML: found undefined alias"},
+    {HEAD "title: \x01\n",           5, "this is not YAML: control characters are not allowed"},
+    {HEAD "title: \xff\n",           5, "this is not YAML: invalid leading UTF-8 octet"},
+    {HEAD "---\nstep: 1\n",          6, "a second YAML document begins"},
+};
+// clang-format on
+
+static void what_is_wrong_is_said_in_one_sentence_with_its_line(void** state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong_table / sizeof wrong_table[0]; i++) {
+        char place[96];
+        snprintf(place, sizeof place, "%s:%d", scene, wrong_table[i].line);
+        must_refuse(wrong_table[i].text, NULL, place, wrong_table[i].words);
+    }
+}
+
+// "balloons.*.scale" → "balloons.0.scale"
+static void first_of(const char* pattern, char path[128]) {
+    snprintf(path, 128, "%s", pattern);
+    for (char* c = path; *c; c++)
+        if (*c == '*')
+            *c = '0';
+}
+
+static void must_be_out_of_range(const char* path, double value) {
+    char text[192], place[200], words[200];
+    snprintf(text, sizeof text, "%s=%.17g", path, value);
+    snprintf(place, sizeof place, "--set %s", text);
+    snprintf(words, sizeof words, "%s must be", path);
+    must_refuse(full, (const char* const[]){text, NULL}, place, words);
+}
+
+static void every_row_of_the_ranges_holds_a_number_of_the_format(void** state) {
+    (void)state;
+    for (int i = 0; i < range_count; i++) {
+        const Range* range = &range_table[i];
+        char path[128];
+        first_of(range->path, path);
+        must_be_out_of_range(path, range->least - 1e-6);
+        must_be_out_of_range(path, -1e300);
+        if (range->least_open)
+            must_be_out_of_range(path, range->least);
+        if (range->most < INFINITY)
+            must_be_out_of_range(path, range->most + 1e-6);
+    }
+}
+
+static void files_that_are_no_scenes_are_refused(void** state) {
+    (void)state;
+    must_refuse("", NULL, scene, "this scene is empty; it needs a step and balloons");
+    must_refuse("# nothing\n", NULL, scene, "this scene is empty");
+
+    unsigned char bytes[4096];
+    unsigned random = 1;
+    for (size_t i = 0; i < sizeof bytes; i++)
+        bytes[i] = (unsigned char)((random = random * 1664525u + 1013904223u) >> 24);
+    WorldDef def;
+    Fault fault = {0};
+    write_bytes(scene, bytes, sizeof bytes);
+    assert_false(scene_load(scene, NULL, 0, &def, &fault));
+    assert_non_null(strstr(fault.text, "this is not YAML"));
+
+    fault = (Fault){0};
+    remove(scene);
+    assert_int_equal(mkdir(scene, 0700), 0);
+    assert_false(scene_load(scene, NULL, 0, &def, &fault));
+    rmdir(scene);
+    assert_string_equal(fault.place, scene);
+    assert_string_equal(fault.text, "it cannot be read: Is a directory");
+}
+
+static void a_file_that_may_not_be_read_is_refused(void** state) {
+    (void)state;
+    if (geteuid() == 0)
+        skip(); // root may read everything
+    WorldDef def;
+    Fault fault = {0};
+    write_bytes(scene, smallest, strlen(smallest));
+    chmod(scene, 0);
+    const bool good = scene_load(scene, NULL, 0, &def, &fault);
+    chmod(scene, 0600);
+    assert_false(good);
+    assert_string_equal(fault.place, scene);
+    assert_string_equal(fault.text, "it cannot be opened: Permission denied");
+}
+
+static void scenes_without_measure_are_refused(void** state) {
+    (void)state;
+    static char text[(1 << 18) + 2];
+    char place[96];
+    snprintf(place, sizeof place, "%s:2", scene);
+
+    memset(text, '[', 200000);
+    text[0] = '\n';
+    must_refuse(text, NULL, place, "no scene has so many brackets in each other");
+
+    memset(text, ' ', sizeof text - 1);
+    must_refuse(text, NULL, scene, "a scene has at most 262144 bytes");
+}
+
+// A thousand balloons of a thousand strings each, in a few lines.
+static void aliases_cannot_ask_for_more_than_a_scene_may_hold(void** state) {
+    (void)state;
+    static char text[1 << 16];
+    size_t length = (size_t)snprintf(text, sizeof text,
+                                     "step: 1\nballoons:\n- &b\n  model: cube\n"
+                                     "  mass: {per_particle: 1}\n"
+                                     "  strings: [&s {stiffness: 1}");
+    for (int i = 0; i < 1000; i++)
+        length += (size_t)snprintf(text + length, sizeof text - length, ", *s");
+    length += (size_t)snprintf(text + length, sizeof text - length, "]\n");
+    for (int i = 0; i < 1000; i++)
+        length += (size_t)snprintf(text + length, sizeof text - length, "- *b\n");
+
+    WorldDef def;
+    Fault fault;
+    assert_false(load(text, NULL, &def, &fault));
+    assert_non_null(strstr(fault.text, "this scene is too large"));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_wrong_is_said_in_one_sentence_with_its_line),
+        cmocka_unit_test(every_row_of_the_ranges_holds_a_number_of_the_format),
+        cmocka_unit_test(files_that_are_no_scenes_are_refused),
+        cmocka_unit_test(a_file_that_may_not_be_read_is_refused),
+        cmocka_unit_test(scenes_without_measure_are_refused),
+        cmocka_unit_test(aliases_cannot_ask_for_more_than_a_scene_may_hold),
+    };
+    return cmocka_run_group_tests_name("scene_wrong", tests, make_folder, remove_folder);
+}
