@@ -128,6 +128,36 @@ static void nothing_passes_through(void** state) {
                 }
 }
 
+/// A ball of 1 kg dropped from 15 cm on a rubber balloon of 74 g and 28 cm (E = 1 MPa, 0.3 mm:
+/// springs of E h = 300 N/m) bounces off it, at steps that the guard splits for the stiffness.
+static void a_kilogram_bounces_off_a_real_balloon(void** state) {
+    (void)state;
+    for (int rate = 60; rate <= 240; rate += 180) {
+        World world;
+        char step[64];
+        snprintf(step, sizeof step, "step=%.17g", 1.0 / rate);
+        WORLD_OF(&world, "cube-sphere:12", step, "units=si", "floor=-0.14", "balloons.0.size=0.28",
+                 "balloons.0.skin.springs={structural: 100, shear: 150, flexion: 50, law: rubber}",
+                 "balloons.0.mass.per_particle=8.545e-5", // 74 g over 866 particles
+                 "balloons.0.inflation={law: gas, amount: 1.1}", "balloons.0.damping={rate: 2}",
+                 "balloons.0.helium={base: 0}", "balloons.0.strings=[]",
+                 "spheres=[{position: [0, 0.34, 0], radius: 0.05, mass: 1, restitution: 0.3, "
+                 "friction: 0.4}]");
+        double low = INFINITY;
+        const long steps = lround(0.6 * rate);
+        for (long n = 0; n < steps; n++) {
+            world_step(&world);
+            low = fmin(low, (double)world.collide.sphere[0].x[1]);
+        }
+        // pressed in, and thrown back over the balloon's top
+        assert_less(low, 0.12);
+        assert_less(0.15, (double)world.collide.sphere[0].x[1]);
+        assert_int_equal(world.collide.pass_throughs, 0);
+        assert_false(world.blowup.halted);
+        world_close(&world);
+    }
+}
+
 /// A ball from anywhere at anything up to 200 m/s, of any size, at the balloon's middle or past it.
 static void throw_at_random(World* world, Random* random) {
     Event event = {.step = world->clock, .kind = EVENT_THROW};
@@ -251,6 +281,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hit_keeps_momenta),
         cmocka_unit_test(nothing_passes_through),
+        cmocka_unit_test(a_kilogram_bounces_off_a_real_balloon),
         cmocka_unit_test(random_throws_end_finite_and_outside),
         cmocka_unit_test(a_scene_with_no_ball_pays_nothing),
         cmocka_unit_test(a_balloon_comes_to_rest_on_the_floor),
