@@ -153,7 +153,8 @@ static double pace_of(Collide* collide, CollideSkin* skin, Sphere* sphere, doubl
     return fmin(h, fmax(deep * radius, distance - radius) / speed);
 }
 
-/// The same for balls among themselves and against planes, which Bullet sees only where they are.
+/// The same for balls among themselves and against planes: Bullet solves a hit at the start of the
+/// part in which it happens, so a short part keeps it where it is.
 static double pace_of_balls(const Collide* collide, int s, double h) {
     const Sphere* a = &collide->sphere[s];
     const double radius = (double)a->radius;

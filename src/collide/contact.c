@@ -139,7 +139,7 @@ static real improve(Contact* c, real h, real scale, bool rough, ContactReport* r
 
 /// Sweeps until nothing changes any more.
 static ContactReport sweep_all(Contact* contact, int count, real h, real scale, bool rough) {
-    ContactReport report = {.scale = (double)scale};
+    ContactReport report = {0};
     real fastest = 0;
     for (int k = 0; k < count; k++) {
         contact[k].push = 0;

@@ -43,7 +43,6 @@ typedef struct ContactReport {
     int rounds;     ///< sweeps over all contacts
     double kinetic; ///< change of kinetic energy, never above 0 but for rounding [J]
     double moved;   ///< kinetic energy that went either way between balls and skins [J]
-    double scale;   ///< part of restitution and way out that energy allowed
 } ContactReport;
 
 /// The contact of a ball with a triangle as they are now. Where the centre lies in the triangle's
