@@ -6,8 +6,6 @@
 #include "base/memory.h"
 #include "mesh/measure.h"
 
-const char* const inflation_law_name[INFLATION_LAWS] = {"none", "area", "pressure", "gas"};
-
 void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass) {
     const int count = mesh->point_count;
     *body = (Body){
@@ -120,14 +118,28 @@ void body_hold_rim(Body* body) {
                 body->inverse_mass[body->mesh->edge[e][k]] = 0;
 }
 
-void body_inflate(Body* body, InflationLaw law, double amount, double ambient) {
-    body->inflation = (Inflation){
-        .law = law,
-        .amount = amount,
-        .ambient = ambient,
-        .first_volume = measure_volume(body->mesh, body->x),
-        .gradient = new_array(real4, body->count),
-    };
+void body_add_membrane(Body* body, const double* thickness, const Rubber* rubber) {
+    membrane_make(&body->membrane, body->mesh, body->x, thickness, rubber);
+
+    double* mass = new_array(double, body->count);
+    membrane_add_mass(&body->membrane, mass);
+    for (int i = 0; i < body->count; i++) {
+        body->mass[i] = (real)mass[i];
+        if (body->inverse_mass[i] > 0)
+            body->inverse_mass[i] = (real)(1 / mass[i]);
+    }
+    free(mass);
+}
+
+void body_inflate(Body* body, const Inflation* inflation) {
+    body->inflation = *inflation;
+    body->inflation.first_volume = measure_volume(body->mesh, body->x);
+    body->inflation.volume = body->inflation.first_volume;
+    body->inflation.gradient = new_array(real4, body->count);
+}
+
+void body_prepare_implicit(Body* body) {
+    body->membrane.stiffness = new_array(Stiffness, body->membrane.count);
 }
 
 void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack) {
@@ -160,6 +172,7 @@ void body_drift(Body* body, double h) {
 void body_free(Body* body) {
     springs_free(&body->springs);
     torsion_free(&body->torsion);
+    membrane_free(&body->membrane);
     free(body->inflation.gradient);
     free(body->string);
     free(body->x);

@@ -5,27 +5,11 @@
 #ifndef BALLOON_BODY_BODY_H
 #define BALLOON_BODY_BODY_H
 
+#include "body/gas.h"
+#include "body/membrane.h"
 #include "body/springs.h"
 #include "body/torsion.h"
 #include "mesh/mesh.h"
-
-/// The pressure on the skin; equations in force/inflation.c.
-typedef enum InflationLaw {
-    INFLATE_NONE,     ///< nothing is blown up
-    INFLATE_AREA,     ///< p = 100 amount / area, the mass-spring paper's
-    INFLATE_PRESSURE, ///< p = amount [Pa]
-    INFLATE_GAS,      ///< p = ambient (amount V0 / V - 1)
-    INFLATION_LAWS
-} InflationLaw;
-extern const char* const inflation_law_name[INFLATION_LAWS];
-
-typedef struct Inflation {
-    InflationLaw law;
-    double amount;       ///< area: k_normal [N]; pressure: [Pa]; gas: in units of what fills V0
-    double ambient;      ///< [Pa] gas only
-    double first_volume; ///< V0 [m^3], gas only
-    real4* gradient;     ///< [count] dV/dx of the last evaluation [m^2]
-} Inflation;
 
 /// Helium is an upward acceleration base + per_inflation * amount [m/s^2], times each mass.
 typedef struct Helium {
@@ -62,6 +46,7 @@ typedef struct Body {
     double gravity; ///< [m/s^2] downward, 0: none
     Springs springs;
     Torsion torsion;
+    Membrane membrane;
     Inflation inflation;
     Helium helium;
     Damping damping;
@@ -89,8 +74,15 @@ void body_add_torsion(Body* body, double stiffness);
 /// Hold the particles on the rim of an open mesh where they are. Call before body_add_springs.
 void body_hold_rim(Body* body);
 
-/// Begin to inflate under a law; the first volume is the present one.
-void body_inflate(Body* body, InflationLaw law, double amount, double ambient);
+/// Give the body a skin of rubber at rest where it is now, and the mass of that rubber.
+/// thickness: [count] at the particles [m]
+void body_add_membrane(Body* body, const double* thickness, const Rubber* rubber);
+
+/// Begin to inflate: law, amount and gas from `inflation`; the first volume is the present one.
+void body_inflate(Body* body, const Inflation* inflation);
+
+/// Make room for what an implicit method needs of the forces (Force.stiffen).
+void body_prepare_implicit(Body* body);
 
 /// Tie a string of `slack` times the present distance from a particle to a fixed point.
 void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack);

@@ -3,8 +3,8 @@
 #include <string.h>
 
 const Force* const force_table[] = {
-    &force_gravity,   &force_helium,  &force_springs, &force_torsion,
-    &force_inflation, &force_strings, &force_damping,
+    &force_gravity,   &force_helium, &force_springs, &force_torsion, &force_membrane,
+    &force_inflation, &force_lift,   &force_strings, &force_damping,
 };
 const int force_count = sizeof force_table / sizeof *force_table;
 

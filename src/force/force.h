@@ -7,6 +7,11 @@
 
 #include "body/body.h"
 
+/// A 3 x 3 block of a matrix, as columns.
+typedef struct Block {
+    real4 column[3];
+} Block;
+
 typedef struct Force {
     const char* name;
     const char* about; ///< one line with the equation, for `balloon list` and the README
@@ -25,12 +30,24 @@ typedef struct Force {
     /// adds no stiffness. Bounds of several forces add up (Weyl's inequality).
     double (*bound)(const Body* body);
 
+    /// Ready `product` and `diagonal` for the present positions, for implicit methods; NULL where
+    /// they read the positions themselves. `project` takes out what is not positive definite.
+    void (*stiffen)(Body* body, bool project);
+
+    /// out += K d, K = -dF/dx at the present positions [N/m]; NULL for a force that does not depend
+    /// on positions.
+    void (*product)(const Body* body, const real4* d, real4* out);
+
+    /// Add K's diagonal blocks, or what of them is positive definite: a preconditioner's. NULL:
+    /// none.
+    void (*diagonal)(const Body* body, Block* block);
+
     /// What it does to free balloons, for tests: total force and torque vanish.
     bool internal;
 } Force;
 
-extern const Force force_gravity, force_helium, force_springs, force_torsion, force_inflation,
-    force_strings, force_damping;
+extern const Force force_gravity, force_helium, force_springs, force_torsion, force_membrane,
+    force_inflation, force_lift, force_strings, force_damping;
 
 /// In the order in which they are added.
 extern const Force* const force_table[];

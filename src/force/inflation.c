@@ -13,7 +13,7 @@ static double pressure_of(const Inflation* inflation, double area, double volume
         case INFLATE_PRESSURE:
             return inflation->amount;
         case INFLATE_GAS:
-            return inflation->ambient * (inflation->amount * inflation->first_volume / volume - 1);
+            return gas_pressure(inflation, volume);
         default:
             return 0;
     }
@@ -35,7 +35,8 @@ static bool present(const Body* body) {
 static void add(Body* body) {
     real4* restrict gradient = body->inflation.gradient;
     const double area = measure_volume_gradient(body->mesh, body->x, gradient);
-    const real p = (real)pressure_of(&body->inflation, area, volume_if_gas(body));
+    body->inflation.volume = volume_if_gas(body);
+    const real p = (real)pressure_of(&body->inflation, area, body->inflation.volume);
 
     real4* restrict f = body->f;
     for (int i = 0; i < body->count; i++)
@@ -46,8 +47,7 @@ static double energy(const Body* body) {
     const Inflation* inflation = &body->inflation;
     const double volume = measure_volume(body->mesh, body->x);
     if (inflation->law == INFLATE_GAS)
-        return inflation->ambient *
-               (volume - inflation->amount * inflation->first_volume * log(volume));
+        return gas_energy(inflation, volume);
     return -inflation_pressure(body) * volume;
 }
 
@@ -102,9 +102,47 @@ static double bound(const Body* body) {
     const double stiff = fabs(p) * second;
     if (inflation->law == INFLATE_AREA)
         return stiff + fabs(p) / area * sqrt(area2 * volume2);
-    if (inflation->law == INFLATE_GAS) // dp/dx = -(p + ambient)/V dV/dx
-        return stiff + (p + inflation->ambient) / volume * volume2;
+    if (inflation->law == INFLATE_GAS)
+        return stiff - gas_slope(inflation, volume) * volume2;
     return stiff;
+}
+
+/// The share of the thin-shell paper's eq. 16, whose 1/27 should be 1/9. [1]
+static const double paper_share = 1.0 / 3;
+
+/// K d = -p (d2V/dx2) d - dp/dV dV/dx (dV/dx . d), dense but of rank one: two sums. `area` at its
+/// frozen pressure, as its energy.
+static void product(const Body* body, const real4* d, real4* out) {
+    const Inflation* inflation = &body->inflation;
+    measure_volume_product(body->mesh, body->x, d, (real)-inflation->pressure, out);
+    if (inflation->law != INFLATE_GAS)
+        return;
+    double along = 0;
+    for (int i = 0; i < body->count; i++)
+        along += (double)dot(inflation->gradient[i], d[i]);
+    const real factor = (real)(-inflation->slope * along);
+    for (int i = 0; i < body->count; i++)
+        out[i] += factor * inflation->gradient[i];
+}
+
+static void stiffen(Body* body, bool project) {
+    (void)project; // the second derivative of the volume has both signs; solvers watch for it
+    Inflation* inflation = &body->inflation;
+    const double area = measure_volume_gradient(body->mesh, body->x, inflation->gradient);
+    const double volume = volume_if_gas(body);
+    inflation->pressure = pressure_of(inflation, area, volume);
+    inflation->slope = inflation->law == INFLATE_GAS ? gas_slope(inflation, volume) : 0;
+    if (inflation->paper_tangent)
+        inflation->slope *= paper_share;
+}
+
+/// Of the rank-one part, which alone is positive.
+static void diagonal(const Body* body, Block* block) {
+    const Inflation* inflation = &body->inflation;
+    for (int i = 0; i < body->count; i++)
+        for (int c = 0; c < 3; c++)
+            block[i].column[c] +=
+                ((real)-inflation->slope * inflation->gradient[i][c]) * inflation->gradient[i];
 }
 
 const Force force_inflation = {
@@ -114,5 +152,8 @@ const Force force_inflation = {
     .add = add,
     .energy = energy,
     .bound = bound,
+    .stiffen = stiffen,
+    .product = product,
+    .diagonal = diagonal,
     .internal = true,
 };

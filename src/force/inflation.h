@@ -5,8 +5,8 @@
 ///               paper's k_normal, with "closest_face_to_particle / total_surface_area" read as a
 ///               particle's share of the area: the push is per area, along the true gradient
 ///     pressure  p = amount, constant                              E = -p V
-///     gas       p = ambient (amount V0 / V - 1), an ideal gas at one temperature
-///                                          E = ambient (V - amount V0 ln V)
+///     gas       p = n R T / V - ambient, an ideal gas (body/gas.h)
+///                                                                 E = -n R T ln V + ambient V
 ///
 /// On a closed skin the net force and net torque vanish, for p is one number and V does not change
 /// when the skin moves or turns as a whole. An open skin encloses nothing: only `area` is for it.

@@ -74,6 +74,66 @@ static double bound(const Body* body) {
     return body->springs.bound;
 }
 
+/// What a spring resists: `along` per length in its own direction, `across` per length in the
+/// others.
+typedef struct Resistance {
+    real along, across; ///< [N/m]
+} Resistance;
+
+static Resistance resistance_of(SpringLaw law, real stiffness, real r) {
+    if (law == LAW_HOOKE || r >= 1)
+        return (Resistance){stiffness, stiffness * (1 - r)};
+    const real r3 = r * r * r, r6 = r3 * r3;
+    return (Resistance){stiffness * (1 + 5 * r6) / 6, stiffness * (1 - r6) / 6};
+}
+
+static Resistance resistance(const Springs* springs, int s, real length_now) {
+    Resistance now =
+        resistance_of(springs->law, springs->active[s], ratio(springs->rest[s], length_now));
+    if (springs->project) // a pressed spring gives way to the side
+        now.across = real_max(now.across, 0);
+    return now;
+}
+
+static void stiffen(Body* body, bool project) {
+    body->springs.project = project;
+}
+
+static void product(const Body* body, const real4* restrict d, real4* restrict out) {
+    const Springs* springs = &body->springs;
+    for (int s = 0; s < springs->count; s++) {
+        const int i = springs->end[s][0], j = springs->end[s][1];
+        const real4 span = body->x[j] - body->x[i], change = d[j] - d[i];
+        const real now = length(span);
+        if (!(now > 0))
+            continue;
+        const Resistance k = resistance(springs, s, now);
+        const real4 n = span / now;
+        const real4 pull = k.across * change + ((k.along - k.across) * dot(n, change)) * n;
+        out[i] -= pull;
+        out[j] += pull;
+    }
+}
+
+static void diagonal(const Body* body, Block* block) {
+    const Springs* springs = &body->springs;
+    for (int s = 0; s < springs->count; s++) {
+        const int* end = springs->end[s];
+        const real4 span = body->x[end[1]] - body->x[end[0]];
+        const real now = length(span);
+        if (!(now > 0))
+            continue;
+        const Resistance k = resistance(springs, s, now);
+        const real4 n = span / now;
+        for (int c = 0; c < 3; c++) {
+            real4 column = ((k.along - k.across) * n[c]) * n;
+            column[c] += k.across;
+            block[end[0]].column[c] += column;
+            block[end[1]].column[c] += column;
+        }
+    }
+}
+
 const Force force_springs = {
     .name = "springs",
     .about = "structural, shear and flexion springs, laws hooke and rubber",
@@ -81,5 +141,8 @@ const Force force_springs = {
     .add = add,
     .energy = energy,
     .bound = bound,
+    .stiffen = stiffen,
+    .product = product,
+    .diagonal = diagonal,
     .internal = true,
 };

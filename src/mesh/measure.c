@@ -86,3 +86,33 @@ double measure_volume_gradient(const Mesh* mesh, const real4* x, real4* gradient
     return 0.5 *
            add_gradient((const int(*)[4])mesh->face, mesh->face_count, mesh->closed, x, gradient);
 }
+
+/// The change of the cross product of two edges as their ends move.
+static inline real4 cross_change(real4 a, real4 da, real4 b, real4 db) {
+    return cross_lanes(da, b) + cross_lanes(a, db);
+}
+
+void measure_volume_product(const Mesh* mesh, const real4* x, const real4* d, real factor,
+                            real4* out) {
+    const real sixth = factor / 6, twelfth = factor / 12;
+    for (int f = 0; f < mesh->face_count; f++) {
+        const int* k = mesh->face[f];
+        const real4 a = x[k[0]], da = d[k[0]], ab = x[k[1]] - a, dab = d[k[1]] - da,
+                    ac = x[k[2]] - a, dac = d[k[2]] - da;
+        if (k[3] == NONE) {
+            const real4 part = sixth * cross_change(ab, dab, ac, dac);
+            for (int c = 0; c < 3; c++)
+                out[k[c]] += part;
+            continue;
+        }
+        const real4 ad = x[k[3]] - a, dad = d[k[3]] - da;
+        const real4 both = cross_change(ac, dac, ad - ab, dad - dab);
+        const real4 at_a = mesh->closed ? cross_change(ab, dab, ad, dad) : both * (real)0.5;
+        const real4 at_b =
+            mesh->closed ? cross_change(ac - ab, dac - dab, -ab, -dab) : both * (real)0.5;
+        out[k[0]] += twelfth * (both + at_a);
+        out[k[1]] += twelfth * (both + at_b);
+        out[k[2]] += twelfth * (both + (both - at_a));
+        out[k[3]] += twelfth * (both + (both - at_b));
+    }
+}

@@ -24,4 +24,8 @@ double measure_volume(const Mesh* mesh, const real4* x);
 /// gradient[i] = dV/dx_i, [point_count], overwritten. Returns the area as measure_area does.
 double measure_volume_gradient(const Mesh* mesh, const real4* x, real4* gradient);
 
+/// out += factor (d2V/dx2) d, the change of the gradient when the points move by d.
+void measure_volume_product(const Mesh* mesh, const real4* x, const real4* d, real factor,
+                            real4* out);
+
 #endif

@@ -17,9 +17,11 @@ static void push(real4* restrict v, const real4* restrict f, const real* restric
         v[i] += (h * inverse_mass[i]) * f[i];
 }
 
-static void kick(Body* body, double h) {
+static bool kick(Body* body, void* room, double h, Effort* effort) {
+    (void)room, (void)effort;
     force_sum(body);
     push(body->v, body->f, body->inverse_mass, body->count, (real)h);
+    return true;
 }
 
 /// Stable where the step's matrix on (x, v) has no eigenvalue outside the unit circle:

@@ -1,27 +1,20 @@
 #include "solve/method.h"
 
-#include <string.h>
-
+#include "base/table.h"
 #include "force/force.h"
 
-const Method* const method_table[] = {&method_euler};
+const char* const step_start_name[STEP_STARTS] = {"inertia", "rest"};
+
+const Method* const method_table[] = {&method_euler, &method_newton};
 const int method_count = sizeof method_table / sizeof *method_table;
 
 const Method* method_find(const char* name) {
-    for (int k = 0; k < method_count; k++)
-        if (strcmp(method_table[k]->name, name) == 0)
-            return method_table[k];
-    return NULL;
+    return table_find(method_table, method_count, name);
 }
 
 const char* method_names(void) {
     static char names[256];
-    names[0] = 0;
-    for (int k = 0; k < method_count; k++) {
-        strncat(names, k ? ", " : "", sizeof names - strlen(names) - 1);
-        strncat(names, method_table[k]->name, sizeof names - strlen(names) - 1);
-    }
-    return names;
+    return table_names(method_table, method_count, names, sizeof names);
 }
 
 /// Largest damping rate c/m over the particles [1/s].
@@ -33,6 +26,8 @@ static double damping_rate(const Body* body) {
 }
 
 double method_bound(const Method* method, const Body* body) {
+    if (method->limit(INFINITY, INFINITY) == INFINITY)
+        return INFINITY;
     double w2 = 0;
     for (int k = 0; k < force_count; k++)
         if (force_table[k]->bound && force_table[k]->present(body))

@@ -9,17 +9,49 @@
 
 #include "body/body.h"
 
+/// From where an implicit step begins.
+typedef enum StepStart {
+    START_INERTIA, ///< x + h v, where the body would go by itself
+    START_REST,    ///< x, the thin-shell paper's eq. 20: what it has of v is lost
+    STEP_STARTS
+} StepStart;
+extern const char* const step_start_name[STEP_STARTS];
+
+/// What a scene may say of how a step is solved; 0: the method's own.
+typedef struct Solver {
+    int iterations;          ///< most of a step; with a tolerance below 0, exactly as many
+    double tolerance;        ///< left of the step's equation, relative [1]; below 0: do not look
+    double linear_tolerance; ///< left of each linear equation, relative [1]
+    StepStart start;
+} Solver;
+
+/// What the last kick took.
+typedef struct Effort {
+    int iterations;
+    int products;    ///< of the tangent with a vector
+    double residual; ///< left of the step's equation, relative [1]
+} Effort;
+
 typedef struct Method {
     const char* name;
     const char* about;
-    void (*kick)(Body* body, double h);
+
+    /// Why this method cannot step this body, or NULL if it can.
+    const char* (*refuses)(const Body* body);
+
+    /// Room for a body's steps, NULL members: none is needed. A kick allocates nothing.
+    void* (*open)(Body* body, const Solver* solver);
+    void (*close)(void* room);
+
+    /// Velocities after h. False, and nothing changed, where the step was not solved.
+    bool (*kick)(Body* body, void* room, double h, Effort* effort);
 
     /// Largest stable step [s] for the largest squared frequency w2 [1/s^2] and the damping rate
     /// gamma = c/m [1/s]; INFINITY where there is none.
     double (*limit)(double w2, double gamma);
 } Method;
 
-extern const Method method_euler;
+extern const Method method_euler, method_newton;
 
 extern const Method* const method_table[];
 extern const int method_count;

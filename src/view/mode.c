@@ -1,6 +1,6 @@
 #include "view/mode.h"
 
-#include <string.h>
+#include "base/table.h"
 
 const Mode mode_skin = {
     .name = "skin",
@@ -13,10 +13,7 @@ const Mode* const mode_table[] = {&mode_skin,   &mode_quads,   &mode_springs,
 const int mode_count = sizeof mode_table / sizeof *mode_table;
 
 const Mode* mode_find(const char* name) {
-    for (int m = 0; m < mode_count; m++)
-        if (strcmp(mode_table[m]->name, name) == 0)
-            return mode_table[m];
-    return NULL;
+    return table_find(mode_table, mode_count, name);
 }
 
 const Mode* mode_after(const Mode* mode) {
@@ -28,10 +25,5 @@ const Mode* mode_after(const Mode* mode) {
 
 const char* mode_names(void) {
     static char names[256];
-    names[0] = 0;
-    for (int m = 0; m < mode_count; m++) {
-        strncat(names, m ? ", " : "", sizeof names - strlen(names) - 1);
-        strncat(names, mode_table[m]->name, sizeof names - strlen(names) - 1);
-    }
-    return names;
+    return table_names(mode_table, mode_count, names, sizeof names);
 }

@@ -4,10 +4,14 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/table.h"
+#include "force/inflation.h"
+#include "force/material.h"
 #include "mesh/load.h"
 
-static const double standard_ambient = 101325; ///< [Pa] standard atmosphere, ISO 2533
-static const double given_threshold = 0.1;     ///< [1] the mass-spring authors' own
+static const double vent_pressure = 1000;  ///< [Pa] at which a valve vents at the keys' rate
+static const double paper_poisson = 0.45;  ///< [1] the thin-shell paper's
+static const double given_threshold = 0.1; ///< [1] the mass-spring authors' own
 
 /// Where no scene names a colour: distinct at a glance, also for most colour-blind eyes.
 static const float palette[][3] = {
@@ -39,7 +43,7 @@ static void place_body(Balloon* balloon) {
     }
     for (int k = 0; def->position && k < 3; k++)
         place.position[k] = def->position[k];
-    body_make(&balloon->body, &balloon->mesh, &place, def->mass.per_particle);
+    body_make(&balloon->body, &balloon->mesh, &place, def->mass ? def->mass->per_particle : 1);
 }
 
 static int lowest(const Body* body, int sign) {
@@ -99,7 +103,7 @@ static void take_strings(Balloon* balloon, const WorldDef* world) {
     balloon->strings = balloon->body.string_count;
 }
 
-static void take_inflation(Balloon* balloon) {
+static void take_inflation(Balloon* balloon, const WorldDef* world) {
     const InflationDef* def = balloon->def->inflation;
     if (!def)
         return;
@@ -107,8 +111,56 @@ static void take_inflation(Balloon* balloon) {
     balloon->least = def->least;
     balloon->most = def->most > 0 ? def->most : def->amount > 0 ? 10 * def->amount : 100;
     balloon->rate = def->rate > 0 ? def->rate : (balloon->most - balloon->least) / 10;
-    body_inflate(&balloon->body, def->law, def->amount,
-                 def->ambient ? *def->ambient : standard_ambient);
+    balloon->vent = def->vent > 0 ? def->vent : balloon->rate / vent_pressure;
+    const Filling* filling =
+        def->filling ? table_find(filling_table, filling_count, def->filling) : NULL;
+    const double ambient = def->ambient ? *def->ambient : standard_pressure;
+    body_inflate(&balloon->body,
+                 &(Inflation){
+                     .law = def->law,
+                     .amount = def->amount,
+                     .unit = def->unit     ? *def->unit
+                             : ambient > 0 ? ambient
+                                           : standard_pressure,
+                     .ambient = ambient,
+                     .temperature = def->temperature ? *def->temperature / standard_temperature : 1,
+                     .adiabatic = def->adiabatic,
+                     .weighs = filling != NULL,
+                     .filling = filling ? filling : filling_table[0],
+                     .paper_tangent = world->solver.paper_tangent,
+                 });
+}
+
+/// Thickness at every particle, with the patches.
+static void thickness_of(const Body* body, const MembraneDef* def, double* thickness) {
+    for (int i = 0; i < body->count; i++) {
+        thickness[i] = def->thickness;
+        for (unsigned k = 0; k < def->patches_count; k++) {
+            const PatchDef* patch = &def->patches[k];
+            const double4 at = {patch->at[0], patch->at[1], patch->at[2], 0};
+            const double part = fmax(1 - dlength(to_double4(body->x[i]) - at) / patch->radius, 0);
+            const double smooth = part * part * (3 - 2 * part);
+            thickness[i] += smooth * (patch->thickness - thickness[i]);
+        }
+    }
+}
+
+static void take_membrane(Body* body, const MembraneDef* def) {
+    const Material* material = material_find(def->material);
+    const Rubber rubber = {
+        .material = material,
+        .young = def->young,
+        .poisson = def->poisson             ? *def->poisson
+                   : material->poisson_open ? paper_poisson
+                                            : material->poisson_most,
+        .mooney = def->mooney,
+        .density = def->density,
+        .rule = def->volume,
+    };
+    double* thickness = new_array(double, body->count);
+    thickness_of(body, def, thickness);
+    material_add(body, thickness, &rubber);
+    free(thickness);
 }
 
 static void take_correction(Balloon* balloon) {
@@ -143,13 +195,24 @@ static void make(Balloon* balloon, const WorldDef* world) {
         if (springs->torsion > 0)
             body_add_torsion(body, springs->torsion);
     }
-    take_inflation(balloon);
+    if (def->skin.membrane)
+        take_membrane(body, def->skin.membrane);
+    take_inflation(balloon, world);
     if (def->helium)
         body->helium = (Helium){def->helium->base, def->helium->per_inflation};
     if (def->damping)
         body->damping = (Damping){def->damping->coefficient, def->damping->rate};
     take_strings(balloon, world);
     take_correction(balloon);
+    preserve_open(&balloon->preserve, body);
+    if (balloon->method->open) {
+        const SolverDef* solver = &world->solver;
+        balloon->room = balloon->method->open(
+            body, &(Solver){.iterations = (int)solver->iterations,
+                            .tolerance = solver->fixed ? -1 : solver->tolerance,
+                            .linear_tolerance = solver->linear_tolerance,
+                            .start = solver->start});
+    }
     balloon_fill(balloon, 0);
 }
 
@@ -172,8 +235,9 @@ static bool suits(const Balloon* balloon, const char* place, int number, Fault* 
     return true;
 }
 
-bool balloon_open(Balloon* balloon, const WorldDef* def, int number, Fault* fault) {
-    *balloon = (Balloon){.def = &def->balloons[number]};
+bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, int number,
+                  Fault* fault) {
+    *balloon = (Balloon){.def = &def->balloons[number], .method = method};
     char path[512];
     MeshReport report = {0};
     if (!scene_model_path(def, balloon->def->model, path, fault) ||
@@ -185,12 +249,28 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, int number, Fault* faul
     make(balloon, def);
     balloon->good_x = new_array(real4, balloon->body.count);
     balloon->good_v = new_array(real4, balloon->body.count);
+    balloon->last_v = new_array(real4, balloon->body.count);
+    balloon->good_thickness = new_array(real, balloon->body.membrane.count);
+
+    const char* why = method->refuses ? method->refuses(&balloon->body) : NULL;
+    if (why)
+        return fault_set(fault, def->file, "balloons.%d: method '%s' %s", number, method->name,
+                         why);
     return true;
 }
 
-void balloon_reset(Balloon* balloon, const WorldDef* def) {
-    body_free(&balloon->body);
+/// What make() made.
+static void unmake(Balloon* balloon) {
+    if (balloon->method->close)
+        balloon->method->close(balloon->room);
+    balloon->room = NULL;
+    preserve_close(&balloon->preserve);
     correct_free(&balloon->correct);
+    body_free(&balloon->body);
+}
+
+void balloon_reset(Balloon* balloon, const WorldDef* def) {
+    unmake(balloon);
     balloon->hand = 0;
     make(balloon, def);
 }
@@ -207,6 +287,11 @@ void balloon_fill(Balloon* balloon, double t) {
     balloon->body.inflation.amount = amount + balloon->hand;
 }
 
+/// Gas is let out in proportion to its gauge pressure, and none once that is gone.
+static double vented(const Balloon* balloon, double conductance, double seconds) {
+    return conductance * seconds * fmax(inflation_pressure(&balloon->body), 0);
+}
+
 void balloon_blow(Balloon* balloon, double seconds) {
     Inflation* inflation = &balloon->body.inflation;
     if (inflation->law == INFLATE_NONE)
@@ -214,9 +299,19 @@ void balloon_blow(Balloon* balloon, double seconds) {
     // a scene may start outside the keys' limits; the keys never push it further out
     const double now = inflation->amount;
     const double most = fmax(balloon->most, now), least = fmin(balloon->least, now);
-    const double next = fmin(fmax(now + seconds * balloon->rate, least), most);
+    const double change = seconds < 0 && inflation->law == INFLATE_GAS
+                              ? vented(balloon, balloon->vent, seconds)
+                              : seconds * balloon->rate;
+    const double next = fmin(fmax(now + change, least), most);
     balloon->hand += next - now;
     inflation->amount = next;
+}
+
+void balloon_leak(Balloon* balloon, double seconds) {
+    const double lost = fmin(vented(balloon, balloon->def->inflation->leak, seconds),
+                             balloon->body.inflation.amount);
+    balloon->hand -= lost;
+    balloon->body.inflation.amount -= lost;
 }
 
 void balloon_tie(Balloon* balloon, const WorldDef* def, bool tied) {
@@ -230,10 +325,11 @@ void balloon_tie(Balloon* balloon, const WorldDef* def, bool tied) {
 }
 
 void balloon_close(Balloon* balloon) {
-    body_free(&balloon->body);
-    correct_free(&balloon->correct);
+    unmake(balloon);
     mesh_free(&balloon->mesh);
     free(balloon->good_x);
     free(balloon->good_v);
+    free(balloon->last_v);
+    free(balloon->good_thickness);
     *balloon = (Balloon){0};
 }

@@ -4,6 +4,8 @@
 
 #include "body/body.h"
 #include "correct/correct.h"
+#include "correct/preserve.h"
+#include "solve/method.h"
 #include "world/scene.h"
 
 typedef struct Balloon {
@@ -11,19 +13,27 @@ typedef struct Balloon {
     Mesh mesh;
     Body body;
     Correct correct;
-    float color[3]; ///< sRGB 0…1
-    double given;   ///< amount that the scene gives
-    double hand;    ///< amount that the keys have added
-    double rate;    ///< amount per second while a key is held
-    double least;   ///< the keys stop here
-    double most;    ///< and here
-    int strings;    ///< how many strings there are, tied or not
-    real4* good_x;  ///< [count] last good positions
-    real4* good_v;  ///< [count] last good velocities
+    Preserve preserve;
+    const Method* method;
+    void* room;           ///< the method's, for this body
+    Effort effort;        ///< of the last kick
+    float color[3];       ///< sRGB 0…1
+    double given;         ///< amount that the scene gives
+    double hand;          ///< amount that the keys have added
+    double rate;          ///< amount per second while a key is held
+    double least;         ///< the keys stop here
+    double most;          ///< and here
+    double vent;          ///< amount that the valve lets out per second and pascal [1/(s Pa)]
+    int strings;          ///< how many strings there are, tied or not
+    real4* good_x;        ///< [count] last good positions
+    real4* good_v;        ///< [count] last good velocities
+    real* good_thickness; ///< [elements] last good thicknesses
+    real4* last_v;        ///< [count] before the kick, where it may have to be taken back
 } Balloon;
 
 /// Load the model of balloon `number` and make everything that its def lists.
-bool balloon_open(Balloon* balloon, const WorldDef* def, int number, Fault* fault);
+bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, int number,
+                  Fault* fault);
 
 /// The state as balloon_open made it: body, correction and the hand's amount.
 void balloon_reset(Balloon* balloon, const WorldDef* def);
@@ -31,8 +41,12 @@ void balloon_reset(Balloon* balloon, const WorldDef* def);
 /// The inflation's amount at time t: what the scene gives and fills, and what the keys added.
 void balloon_fill(Balloon* balloon, double t);
 
-/// Blow by `seconds` at the balloon's rate (less than 0: let out), up to its limits.
+/// Blow by `seconds` at the balloon's rate (less than 0: let out, a gas through its valve), up to
+/// its limits.
 void balloon_blow(Balloon* balloon, double seconds);
+
+/// What a gas loses through its skin in that time.
+void balloon_leak(Balloon* balloon, double seconds);
 
 /// Tie all strings, or untie them. A balloon whose scene gives none gets one, from its lowest
 /// particle straight down to the floor.

@@ -8,6 +8,9 @@
 /// what explodes is past this a few steps later. [balloon's first size a drift]
 static const double reach = 10;
 
+/// Of its first volume: below it a gas has no room. [1]
+static const double least_room = 1e-6;
+
 const char* const guard_name[GUARD_COUNT] = {"split", "stop", "off"};
 
 static void halt(World* world, int balloon, int particle) {
@@ -68,6 +71,9 @@ void guard_keep(World* world) {
         const size_t bytes = (size_t)balloon->body.count * sizeof(real4);
         memcpy(balloon->good_x, balloon->body.x, bytes);
         memcpy(balloon->good_v, balloon->body.v, bytes);
+        if (balloon->body.membrane.count > 0)
+            memcpy(balloon->good_thickness, balloon->body.membrane.thickness,
+                   (size_t)balloon->body.membrane.count * sizeof(real));
     }
     collide_keep(&world->collide);
     world->good_step = world->step_count;
@@ -79,8 +85,28 @@ static void put_back(World* world) {
         const size_t bytes = (size_t)balloon->body.count * sizeof(real4);
         memcpy(balloon->body.x, balloon->good_x, bytes);
         memcpy(balloon->body.v, balloon->good_v, bytes);
+        if (balloon->body.membrane.count > 0)
+            memcpy(balloon->body.membrane.thickness, balloon->good_thickness,
+                   (size_t)balloon->body.membrane.count * sizeof(real));
     }
     collide_put_back(&world->collide);
+}
+
+void guard_unsolved(World* world, int balloon, double h) {
+    halt(world, balloon, NONE);
+    snprintf(
+        world->blowup.text, sizeof world->blowup.text,
+        "balloon %d (%s): method '%s' did not solve step %ld, at %.4g s, nor parts of it down to "
+        "%.2g s; the state of step %ld is back",
+        balloon, world->balloon[balloon].def->model, world->method->name, world->step_count,
+        world_time(world), h, world->good_step);
+    put_back(world);
+}
+
+/// A gas in no room: the skin has turned inside out or closed in on itself.
+static bool has_no_room(const Body* body) {
+    return body->inflation.law == INFLATE_GAS &&
+           !(body->inflation.volume > least_room * body->inflation.first_volume);
 }
 
 /// The first particle whose position is not finite, or which moves by more than ten times the
@@ -102,10 +128,24 @@ static int bad_particle(const Body* body, double h) {
     return NONE;
 }
 
+static void halt_without_room(World* world, int b) {
+    halt(world, b, NONE);
+    snprintf(world->blowup.text, sizeof world->blowup.text,
+             "balloon %d (%s): its gas has no room left in step %ld, at %.4g s: the volume is down "
+             "to nothing; the state of step %ld is back",
+             b, world->balloon[b].def->model, world->step_count, world_time(world),
+             world->good_step);
+    put_back(world);
+}
+
 void guard_check(World* world) {
     const double h = world->drift;
     for (int b = 0; b < world->balloon_count; b++) {
         const Balloon* balloon = &world->balloon[b];
+        if (has_no_room(&balloon->body)) {
+            halt_without_room(world, b);
+            return;
+        }
         const int bad = bad_particle(&balloon->body, h);
         if (bad == NONE)
             continue;

@@ -7,8 +7,8 @@
 ///
 /// A state is bad when a particle's position is not finite, or when in one drift it moves by more
 /// than ten times the balloon's first size against the balloon's mean: found at that step in every
-/// mode. So is a ball that is not finite. The last good state, at most GUARD_INTERVAL steps old, is
-/// put back and the world halts.
+/// mode. So is a ball that is not finite, and a gas whose volume is down to nothing. The last good
+/// state, at most GUARD_INTERVAL steps old, is put back and the world halts.
 #ifndef BALLOON_WORLD_GUARD_H
 #define BALLOON_WORLD_GUARD_H
 
@@ -24,6 +24,10 @@ typedef struct World World;
 
 /// Take the bound of the present state, and split the step or refuse it.
 void guard_look(World* world);
+
+/// Say that a balloon's step could not be solved, not even in parts of h; put the last good state
+/// back and halt.
+void guard_unsolved(World* world, int balloon, double h);
 
 /// Remember the present state as the last good one.
 void guard_keep(World* world);

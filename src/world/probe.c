@@ -25,7 +25,7 @@ static double energy(const Balloon* balloon, const Force* force) {
 
 static double elastic(const Balloon* balloon) {
     return energy(balloon, &force_springs) + energy(balloon, &force_torsion) +
-           energy(balloon, &force_strings);
+           energy(balloon, &force_membrane) + energy(balloon, &force_strings);
 }
 
 static double total_energy(const Balloon* balloon) {
@@ -76,12 +76,20 @@ static double gauge_pressure(const Balloon* balloon) {
 }
 
 static double lift(const Balloon* balloon) {
-    return mass(&balloon->body) * body_helium(&balloon->body);
+    const Body* body = &balloon->body;
+    const double pushed = mass(body) * body_helium(body);
+    if (!body->inflation.weighs)
+        return pushed;
+    return pushed + body->gravity * (air_density * measure_volume(body->mesh, body->x) -
+                                     gas_mass(&body->inflation));
 }
 
 static double stretch_max(const Balloon* balloon) {
     const Springs* springs = &balloon->body.springs;
+    const Membrane* membrane = &balloon->body.membrane;
     double most = 0;
+    for (int e = 0; e < membrane->count; e++)
+        most = fmax(most, membrane_stretch(membrane, balloon->body.x, e));
     for (int s = 0; s < springs->count; s++) {
         const int* end = springs->end[s];
         const double now = (double)length(balloon->body.x[end[0]] - balloon->body.x[end[1]]);
@@ -91,7 +99,27 @@ static double stretch_max(const Balloon* balloon) {
     return most;
 }
 
+static double thickness_min(const Balloon* balloon) {
+    const Membrane* membrane = &balloon->body.membrane;
+    double least = INFINITY;
+    for (int e = 0; e < membrane->count; e++)
+        least = fmin(least, membrane_thickness(membrane, balloon->body.x, e));
+    return least;
+}
+
+static double rubber_volume(const Balloon* balloon) {
+    return membrane_volume_ratio(&balloon->body.membrane, balloon->body.x).sum;
+}
+
+static double rubber_worst(const Balloon* balloon) {
+    return membrane_volume_ratio(&balloon->body.membrane, balloon->body.x).worst;
+}
+
 // clang-format off
+static double amount(const Balloon* b) { return b->body.inflation.amount; }
+static double iterations(const Balloon* b) { return b->effort.iterations; }
+static double products(const Balloon* b) { return b->effort.products; }
+static double residual(const Balloon* b) { return b->effort.residual; }
 static double px(const Balloon* b) { return momentum(&b->body)[0]; }
 static double py(const Balloon* b) { return momentum(&b->body)[1]; }
 static double pz(const Balloon* b) { return momentum(&b->body)[2]; }
@@ -105,8 +133,11 @@ static double cz(const Balloon* b) { return center(&b->body)[2]; }
 static bool always(const Balloon* b) { (void)b; return true; }
 static bool closed(const Balloon* b) { return b->mesh.closed; }
 static bool inflated(const Balloon* b) { return b->body.inflation.law != INFLATE_NONE; }
-static bool lifted(const Balloon* b) { return b->def->helium != NULL; }
-static bool sprung(const Balloon* b) { return b->body.springs.count > 0; }
+static bool lifted(const Balloon* b) { return b->def->helium || b->body.inflation.weighs; }
+static bool elastic_skin(const Balloon* b) { return b->def->skin.springs || b->def->skin.membrane; }
+static bool thick(const Balloon* b) { return b->def->skin.membrane != NULL; }
+static bool gassy(const Balloon* b) { return b->body.inflation.law == INFLATE_GAS; }
+static bool solved(const Balloon* b) { return b->method->open != NULL; }
 
 static const struct Column {
     const char* name;
@@ -118,12 +149,19 @@ static const struct Column {
     {"gauge_pressure", inflated, gauge_pressure},
     {"lift", lifted, lift},
     {"kinetic", always, kinetic},
-    {"elastic", sprung, elastic},
+    {"elastic", elastic_skin, elastic},
     {"total_energy", always, total_energy},
     {"px", always, px}, {"py", always, py}, {"pz", always, pz},
     {"lx", always, lx}, {"ly", always, ly}, {"lz", always, lz},
     {"cx", always, cx}, {"cy", always, cy}, {"cz", always, cz},
-    {"stretch_max", sprung, stretch_max},
+    {"stretch_max", elastic_skin, stretch_max},
+    {"thickness_min", thick, thickness_min},
+    {"rubber_volume", thick, rubber_volume},
+    {"rubber_worst", thick, rubber_worst},
+    {"amount", gassy, amount},
+    {"iterations", solved, iterations},
+    {"products", solved, products},
+    {"residual", solved, residual},
 };
 // clang-format on
 enum { COLUMNS = sizeof column_table / sizeof *column_table };

@@ -24,6 +24,7 @@
 #include "base/fault.h"
 #include "body/body.h"
 #include "collide/collide.h"
+#include "solve/method.h"
 #include "world/guard.h"
 
 typedef enum Units { UNITS_SI, UNITS_PAPER, UNITS_COUNT } Units;
@@ -41,9 +42,30 @@ typedef struct SpringsDef {
     SpringLaw law;
 } SpringsDef;
 
-/// `skin:` what holds the particles together; NULL members are absent.
+/// `patches:` a part of the skin with a thickness of its own, going over into the rest smoothly.
+typedef struct PatchDef {
+    double* at;       ///< [3] its middle, in the world at rest, required
+    double radius;    ///< to where it reaches [m] required
+    double thickness; ///< in its middle [m] required
+} PatchDef;
+
+/// `membrane:` a skin of rubber with thickness (body/membrane.h).
+typedef struct MembraneDef {
+    char* material;   ///< a row of the table of materials, required
+    double young;     ///< E [Pa] required
+    double* poisson;  ///< nu [1]; NULL: 1/2, or 0.45 where the law cannot take that
+    double mooney;    ///< C2/C1 [1], of mooney-rivlin
+    double density;   ///< [kg/m^3] required
+    double thickness; ///< [m] required
+    VolumeRule volume;
+    PatchDef* patches;
+    unsigned patches_count;
+} MembraneDef;
+
+/// `skin:` what holds the particles together, one of the two; NULL members are absent.
 typedef struct SkinDef {
     SpringsDef* springs;
+    MembraneDef* membrane;
 } SkinDef;
 
 typedef struct MassDef {
@@ -63,7 +85,15 @@ typedef struct InflationDef {
     double rate;   ///< amount per second while the key is held; 0: a tenth of the range
     double least;  ///< the keys stop here
     double most;   ///< and here; 0: ten times the amount, or 100 where that is 0
-    double* ambient; ///< [Pa] pressure outside, for gas; NULL: 101325
+    double* ambient;     ///< gas: pressure outside [Pa]; NULL: 101325
+    double* unit;        ///< gas: pressure of amount 1 in V0 [Pa]; NULL: ambient's, or
+                         ///< 101325 where that is 0
+    double* temperature; ///< gas: [K]; NULL: 293.15, at which amount is counted
+    bool adiabatic;      ///< gas: no heat goes through the skin
+    char* filling;       ///< gas: air or helium, which then has weight and is lifted; NULL: neither
+    double leak;         ///< gas: amount lost per second and pascal of gauge pressure [1/(s Pa)]
+    double vent;         ///< gas: the same through the valve while the deflate key is held;
+                         ///< 0: rate per 1000 Pa
     FillDef* fill;
 } InflationDef;
 
@@ -104,7 +134,7 @@ typedef struct BalloonDef {
     double turn;      ///< [degrees] about y, before the position is added
     double* color;    ///< [3] sRGB, 0…1; NULL: the next of the palette
     SkinDef skin;
-    MassDef mass;  ///< required
+    MassDef* mass; ///< required, but for a membrane, which has its rubber's
     bool hold_rim; ///< the points of an open mesh's rim do not move
     InflationDef* inflation;
     HeliumDef* helium;
@@ -130,6 +160,24 @@ typedef struct WallDef {
     double* normal; ///< [3] to the side where things are, of any length, required
 } WallDef;
 
+/// `pipes:` gas flows from the higher pressure to the lower.
+typedef struct PipeDef {
+    double from;        ///< number of a balloon, required
+    double to;          ///< of another, required
+    double conductance; ///< p V that flows per second and pascal [m^3/s] required
+    double start;       ///< when it is opened [s]
+} PipeDef;
+
+/// `solver:` how a method solves its steps (solve/method.h); 0: its own choice.
+typedef struct SolverDef {
+    double iterations;
+    double tolerance;
+    double linear_tolerance;
+    bool fixed; ///< make all iterations, whatever is left
+    StepStart start;
+    bool paper_tangent; ///< the gas's stiffness is the thin-shell paper's, a third of the right one
+} SolverDef;
+
 /// `about:` what the scene is about, so that one can say what it may leave out.
 typedef struct AboutDef {
     char* output;     ///< a CSV column, required
@@ -151,7 +199,8 @@ typedef struct WorldDef {
     double* floor;   ///< height of the floor [m]; NULL: none
     Guard guard;
     Precision precision;
-    char* method;   ///< a row of the method table; NULL: its first
+    char* method; ///< a row of the method table; NULL: its first
+    SolverDef solver;
     char* show;     ///< the display mode to begin with; NULL: skin
     double seconds; ///< how long headless runs last if nobody says; 0: 10
     CameraDef* camera;
@@ -162,6 +211,8 @@ typedef struct WorldDef {
     unsigned spheres_count;
     WallDef* walls;
     unsigned walls_count;
+    PipeDef* pipes;
+    unsigned pipes_count;
     BalloonDef* balloons; ///< at least one, required
     unsigned balloons_count;
 

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/table.h"
+#include "force/material.h"
 #include "solve/method.h"
 
 /// A rule for each balloon: what breaks it, and what is then said of which key.
@@ -23,9 +25,50 @@ static bool no_stiffness(const WorldDef* world, const BalloonDef* balloon) {
            springs->structural + springs->shear + springs->flexion + springs->torsion <= 0;
 }
 
+static bool two_skins(const WorldDef* world, const BalloonDef* balloon) {
+    (void)world;
+    return balloon->skin.springs && balloon->skin.membrane;
+}
+
+static bool no_mass(const WorldDef* world, const BalloonDef* balloon) {
+    (void)world;
+    return !balloon->mass && !balloon->skin.membrane;
+}
+
+static bool two_masses(const WorldDef* world, const BalloonDef* balloon) {
+    (void)world;
+    return balloon->mass && balloon->skin.membrane;
+}
+
+/// A material by name; rules_hold has yet to judge the name.
+static const Material* material_of(const BalloonDef* balloon) {
+    const MembraneDef* membrane = balloon->skin.membrane;
+    return membrane ? material_find(membrane->material) : NULL;
+}
+
+static bool poisson_too_large(const WorldDef* world, const BalloonDef* balloon) {
+    (void)world;
+    const Material* material = material_of(balloon);
+    const double* poisson = material ? balloon->skin.membrane->poisson : NULL;
+    return poisson && material->poisson_open && *poisson >= material->poisson_most;
+}
+
+static bool poisson_of_incompressible(const WorldDef* world, const BalloonDef* balloon) {
+    (void)world;
+    const Material* material = material_of(balloon);
+    const double* poisson = material ? balloon->skin.membrane->poisson : NULL;
+    return poisson && material->incompressible && *poisson != material->poisson_most;
+}
+
+static bool mooney_of_another(const WorldDef* world, const BalloonDef* balloon) {
+    (void)world;
+    const Material* material = material_of(balloon);
+    return material && balloon->skin.membrane->mooney != 0 && material != &material_mooney_rivlin;
+}
+
 static bool tied_without_skin(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
-    return balloon->strings_count > 0 && !balloon->skin.springs;
+    return balloon->strings_count > 0 && !balloon->skin.springs && !balloon->skin.membrane;
 }
 
 static bool corrected_without_springs(const WorldDef* world, const BalloonDef* balloon) {
@@ -51,10 +94,12 @@ static bool tied_at_no_particle(const WorldDef* world, const BalloonDef* balloon
     return false;
 }
 
-static bool ambient_without_gas(const WorldDef* world, const BalloonDef* balloon) {
+static bool gas_words_without_gas(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
-    const InflationDef* inflation = balloon->inflation;
-    return inflation && inflation->ambient && inflation->law != INFLATE_GAS;
+    const InflationDef* i = balloon->inflation;
+    return i && i->law != INFLATE_GAS &&
+           (i->ambient || i->unit || i->temperature || i->adiabatic || i->filling || i->leak > 0 ||
+            i->vent > 0);
 }
 
 static bool less_than_no_gas(const WorldDef* world, const BalloonDef* balloon) {
@@ -71,6 +116,13 @@ static bool no_way_to_go(const WorldDef* world, const BalloonDef* balloon) {
 
 // clang-format off
 static const Rule rule_table[] = {
+    {"skin", "a skin is of springs or a membrane, not both", two_skins},
+    {"mass", "give the mass of a particle, as in mass: {per_particle: 0.001}", no_mass},
+    {"mass", "a membrane has the mass of its rubber, from density and thickness", two_masses},
+    {"skin.membrane.poisson", "stvk-3d takes Poisson's ratios below 1/2 only", poisson_too_large},
+    {"skin.membrane.poisson", "this rubber is incompressible: its Poisson's ratio is 1/2",
+     poisson_of_incompressible},
+    {"skin.membrane.mooney", "only mooney-rivlin has a ratio of C2 to C1", mooney_of_another},
     {"damping", "give coefficient or rate, not both", two_dampings},
     {"skin.springs", "no kind of spring has a stiffness; give one, as in {structural: 50}",
      no_stiffness},
@@ -81,7 +133,8 @@ static const Rule rule_table[] = {
     {"strings", "`at` must be nearest, lowest, highest or the number of a particle",
      tied_at_no_particle},
     {"correction", "correction needs springs to correct", corrected_without_springs},
-    {"inflation.ambient", "only the law gas has an ambient pressure", ambient_without_gas},
+    {"inflation", "ambient, unit, temperature, adiabatic, filling, leak and vent are for the law gas",
+     gas_words_without_gas},
     {"inflation.amount",  "there is no gas of less than nothing", less_than_no_gas},
     {"inflation.most",    "most must be greater than least", no_way_to_go},
 };
@@ -97,6 +150,46 @@ static bool balloon_rules_hold(const WorldDef* def, unsigned balloon, const Scen
         snprintf(path, sizeof path, "balloons.%u.%s", balloon, rule->key);
         return tree_fault(tree, tree_find(tree, path), fault, "balloons.%u: %s", balloon,
                           rule->sentence);
+    }
+    return true;
+}
+
+/// Names that tables know, and pipes between balloons that there are.
+static bool names_are_known(const WorldDef* def, unsigned b, const SceneTree* tree, Fault* fault) {
+    const MembraneDef* membrane = def->balloons[b].skin.membrane;
+    const InflationDef* inflation = def->balloons[b].inflation;
+    char path[80];
+    if (membrane && !material_find(membrane->material)) {
+        snprintf(path, sizeof path, "balloons.%u.skin.membrane.material", b);
+        return tree_fault(tree, tree_find(tree, path), fault, "no material '%s'; there are %s",
+                          membrane->material, material_names());
+    }
+    if (inflation && inflation->filling &&
+        !table_find(filling_table, filling_count, inflation->filling)) {
+        char names[64];
+        snprintf(path, sizeof path, "balloons.%u.inflation.filling", b);
+        return tree_fault(tree, tree_find(tree, path), fault, "no filling '%s'; there are %s",
+                          inflation->filling,
+                          table_names(filling_table, filling_count, names, sizeof names));
+    }
+    return true;
+}
+
+static bool joins(const WorldDef* def, double number) {
+    return number == floor(number) && number < def->balloons_count &&
+           def->balloons[(unsigned)number].inflation &&
+           def->balloons[(unsigned)number].inflation->law == INFLATE_GAS;
+}
+
+static bool pipes_join(const WorldDef* def, const SceneTree* tree, Fault* fault) {
+    for (unsigned k = 0; k < def->pipes_count; k++) {
+        const PipeDef* pipe = &def->pipes[k];
+        char path[64];
+        snprintf(path, sizeof path, "pipes.%u", k);
+        if (pipe->from == pipe->to || !joins(def, pipe->from) || !joins(def, pipe->to))
+            return tree_fault(tree, tree_find(tree, path), fault,
+                              "a pipe joins two balloons with gas by their numbers, of 0 to %u",
+                              def->balloons_count - 1);
     }
     return true;
 }
@@ -122,7 +215,7 @@ bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
                               "a wall's normal points somewhere; this one has no length");
     }
     for (unsigned i = 0; i < def->balloons_count; i++)
-        if (!balloon_rules_hold(def, i, tree, fault))
+        if (!names_are_known(def, i, tree, fault) || !balloon_rules_hold(def, i, tree, fault))
             return false;
-    return true;
+    return pipes_join(def, tree, fault);
 }

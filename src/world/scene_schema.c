@@ -21,6 +21,8 @@ static cyaml_strval_t guard_word[GUARD_COUNT];
 static cyaml_strval_t spring_law_word[SPRING_LAWS];
 static cyaml_strval_t inflation_law_word[INFLATION_LAWS];
 static cyaml_strval_t contact_law_word[CONTACT_LAWS];
+static cyaml_strval_t volume_rule_word[VOLUME_RULES];
+static cyaml_strval_t step_start_word[STEP_STARTS];
 
 #define NUMBER(key, need, Def) CYAML_FIELD_FLOAT(#key, need, Def, key)
 #define NUMBER_OR_NULL(key, Def) CYAML_FIELD_FLOAT_PTR(#key, MAY, Def, key)
@@ -45,8 +47,29 @@ static const cyaml_schema_field_t springs_field[] = {
     CYAML_FIELD_END,
 };
 
+static const cyaml_schema_field_t patch_field[] = {
+    VECTOR(at, MUST, PatchDef),
+    NUMBER(radius, MUST, PatchDef),
+    NUMBER(thickness, MUST, PatchDef),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t patch = {CYAML_VALUE_MAPPING(MUST, PatchDef, patch_field)};
+
+static const cyaml_schema_field_t membrane_field[] = {
+    TEXT(material, MUST, MembraneDef, WORD_MOST),
+    NUMBER(young, MUST, MembraneDef),
+    NUMBER_OR_NULL(poisson, MembraneDef),
+    NUMBER(mooney, MAY, MembraneDef),
+    NUMBER(density, MUST, MembraneDef),
+    NUMBER(thickness, MUST, MembraneDef),
+    NAME(volume, MAY, MembraneDef, volume_rule_word),
+    GROUPS(patches, MAY, MembraneDef, &patch, 0),
+    CYAML_FIELD_END,
+};
+
 static const cyaml_schema_field_t skin_field[] = {
-    CYAML_FIELD_MAPPING_PTR("springs", MUST, SkinDef, springs, springs_field),
+    GROUP_OR_NULL(springs, SkinDef, springs_field),
+    GROUP_OR_NULL(membrane, SkinDef, membrane_field),
     CYAML_FIELD_END,
 };
 
@@ -69,6 +92,12 @@ static const cyaml_schema_field_t inflation_field[] = {
     NUMBER(least, MAY, InflationDef),
     NUMBER(most, MAY, InflationDef),
     NUMBER_OR_NULL(ambient, InflationDef),
+    NUMBER_OR_NULL(unit, InflationDef),
+    NUMBER_OR_NULL(temperature, InflationDef),
+    YES_NO(adiabatic, InflationDef),
+    TEXT(filling, MAY, InflationDef, WORD_MOST),
+    NUMBER(leak, MAY, InflationDef),
+    NUMBER(vent, MAY, InflationDef),
     GROUP_OR_NULL(fill, InflationDef, fill_field),
     CYAML_FIELD_END,
 };
@@ -110,7 +139,7 @@ static const cyaml_schema_field_t balloon_field[] = {
     NUMBER(turn, MAY, BalloonDef),
     VECTOR(color, MAY, BalloonDef),
     GROUP(skin, MAY, BalloonDef, skin_field),
-    GROUP(mass, MUST, BalloonDef, mass_field),
+    GROUP_OR_NULL(mass, BalloonDef, mass_field),
     YES_NO(hold_rim, BalloonDef),
     GROUP_OR_NULL(inflation, BalloonDef, inflation_field),
     GROUP_OR_NULL(helium, BalloonDef, helium_field),
@@ -139,6 +168,22 @@ static const cyaml_schema_field_t wall_field[] = {
 };
 static const cyaml_schema_value_t wall = {CYAML_VALUE_MAPPING(MUST, WallDef, wall_field)};
 
+static const cyaml_schema_field_t pipe_field[] = {
+    NUMBER(from, MUST, PipeDef), NUMBER(to, MUST, PipeDef), NUMBER(conductance, MUST, PipeDef),
+    NUMBER(start, MAY, PipeDef), CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t pipe = {CYAML_VALUE_MAPPING(MUST, PipeDef, pipe_field)};
+
+static const cyaml_schema_field_t solver_field[] = {
+    NUMBER(iterations, MAY, SolverDef),
+    NUMBER(tolerance, MAY, SolverDef),
+    NUMBER(linear_tolerance, MAY, SolverDef),
+    YES_NO(fixed, SolverDef),
+    NAME(start, MAY, SolverDef, step_start_word),
+    YES_NO(paper_tangent, SolverDef),
+    CYAML_FIELD_END,
+};
+
 static const cyaml_schema_field_t about_field[] = {
     TEXT(output, MUST, AboutDef, WORD_MOST),
     NUMBER(at, MUST, AboutDef),
@@ -162,6 +207,7 @@ static const cyaml_schema_field_t world_field[] = {
     NAME(guard, MAY, WorldDef, guard_word),
     NAME(precision, MAY, WorldDef, precision_word),
     TEXT(method, MAY, WorldDef, WORD_MOST),
+    GROUP(solver, MAY, WorldDef, solver_field),
     TEXT(show, MAY, WorldDef, WORD_MOST),
     NUMBER(seconds, MAY, WorldDef),
     GROUP_OR_NULL(camera, WorldDef, camera_field),
@@ -169,6 +215,7 @@ static const cyaml_schema_field_t world_field[] = {
     NAME(contact, MAY, WorldDef, contact_law_word),
     GROUPS(spheres, MAY, WorldDef, &sphere, 0),
     GROUPS(walls, MAY, WorldDef, &wall, 0),
+    GROUPS(pipes, MAY, WorldDef, &pipe, 0),
     GROUPS(balloons, MUST, WorldDef, &balloon, 1),
     CYAML_FIELD_END,
 };
@@ -186,5 +233,7 @@ const cyaml_schema_value_t* scene_schema(void) {
     name(spring_law_word, spring_law_name, SPRING_LAWS);
     name(inflation_law_word, inflation_law_name, INFLATION_LAWS);
     name(contact_law_word, contact_law_name, CONTACT_LAWS);
+    name(volume_rule_word, volume_rule_name, VOLUME_RULES);
+    name(step_start_word, step_start_name, STEP_STARTS);
     return &world;
 }

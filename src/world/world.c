@@ -5,9 +5,11 @@
 
 #include "base/hash.h"
 #include "base/memory.h"
+#include "force/inflation.h"
 #include "world/command.h"
 
-enum { PARTS_MOST = 4096 }; ///< of a step; what is left of it then is dropped: the ball waits
+enum { SPLITS_MOST = 1024 }; ///< of a step that a method cannot solve
+enum { PARTS_MOST = 4096 };  ///< of a step; what is left of it then is dropped: the ball waits
 
 /// Floor, walls, and the balls that are there from the start.
 static void open_collide(World* world) {
@@ -52,6 +54,7 @@ static void begin(World* world) {
     world->held = 0;
     world->substeps = 1;
     world->look = true;
+    world->solvable = 1;
     world->blowup = (Blowup){0};
     guard_keep(world);
 }
@@ -64,7 +67,7 @@ bool world_open(World* world, WorldDef* def, Fault* fault) {
 
     bool good = true;
     for (unsigned b = 0; good && b < world->def.balloons_count; b++) {
-        good = balloon_open(&world->balloon[b], &world->def, (int)b, fault);
+        good = balloon_open(&world->balloon[b], &world->def, world->method, (int)b, fault);
         world->balloon_count++;
     }
     if (!good) {
@@ -91,25 +94,73 @@ static void take_hand(World* world) {
             command_table[k].hold(world, world->step);
 }
 
-/// As long as h, in one part, or in several where balls are near: kick, correction and contacts
-/// have their say on the velocities, then everything drifts.
-static void advance(World* world, double h) {
-    for (int parts = 0; h > 0 && parts < PARTS_MOST; parts++) {
-        const double pace = collide_pace(&world->collide, h);
-        for (int b = 0; b < world->balloon_count; b++) {
-            Balloon* balloon = &world->balloon[b];
-            world->method->kick(&balloon->body, pace);
-            correct_velocity(&balloon->correct, &balloon->body, pace);
+/// Gas goes through pipes and leaks: what is lost on one side of a pipe arrives on the other.
+static void flow(World* world, double h) {
+    for (unsigned k = 0; k < world->def.pipes_count; k++) {
+        const PipeDef* pipe = &world->def.pipes[k];
+        if (world_time(world) < pipe->start)
+            continue;
+        Balloon* end[2] = {&world->balloon[(int)pipe->from], &world->balloon[(int)pipe->to]};
+        const double energy =
+            pipe->conductance * h *
+            (inflation_pressure(&end[0]->body) - inflation_pressure(&end[1]->body));
+        for (int e = 0; e < 2; e++) {
+            Inflation* gas = &end[e]->body.inflation;
+            const double change =
+                (e ? 1 : -1) * energy / (gas->unit * gas->temperature * gas->first_volume);
+            end[e]->hand += change;
+            gas->amount += change;
         }
+    }
+    for (int b = 0; b < world->balloon_count; b++) {
+        const InflationDef* inflation = world->balloon[b].def->inflation;
+        if (inflation && inflation->leak > 0)
+            balloon_leak(&world->balloon[b], h);
+    }
+}
+
+/// Kick every balloon by h. Where a method could not solve its step, none is kicked.
+static int kick(World* world, double h) {
+    for (int b = 0; b < world->balloon_count; b++) {
+        Balloon* balloon = &world->balloon[b];
+        memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
+        if (world->method->kick(&balloon->body, balloon->room, h, &balloon->effort))
+            continue;
+        for (int k = 0; k <= b; k++)
+            memcpy(world->balloon[k].body.v, world->balloon[k].last_v,
+                   (size_t)world->balloon[k].body.count * sizeof(real4));
+        return b;
+    }
+    return NONE;
+}
+
+/// As long as h, in one part, or in several where balls are near or a method cannot solve the
+/// whole: kick, correction and contacts have their say on the velocities, then everything drifts.
+static void advance(World* world, double h) {
+    const double whole = h, shortest = h / SPLITS_MOST;
+    for (int parts = 0; h > 0 && parts < PARTS_MOST; parts++) {
+        double pace = collide_pace(&world->collide, fmin(h, world->solvable * whole));
+        for (int bad; (bad = kick(world, pace)) != NONE; pace /= 2) {
+            if (pace < shortest) {
+                guard_unsolved(world, bad, pace);
+                return;
+            }
+            world->solvable = pace / 2 / whole;
+        }
+        for (int b = 0; b < world->balloon_count; b++)
+            correct_velocity(&world->balloon[b].correct, &world->balloon[b].body, pace);
 
         const double drift = collide_velocities(&world->collide, pace);
         collide_drift(&world->collide, drift);
-        for (int b = 0; b < world->balloon_count; b++)
+        for (int b = 0; b < world->balloon_count; b++) {
             body_drift(&world->balloon[b].body, drift);
+            preserve_volume(&world->balloon[b].preserve, &world->balloon[b].body, drift);
+        }
         collide_penalty(&world->collide, drift);
         world->drift = drift;
         h -= drift;
     }
+    world->solvable = fmin(1, 2 * world->solvable);
     if (h > 0)
         snprintf(world->notice, sizeof world->notice,
                  "a ball and a skin need more than %d parts of step %ld: %.3g s of it are dropped",
@@ -128,9 +179,12 @@ void world_step(World* world) {
     if (world->blowup.halted)
         return;
 
+    flow(world, world->step);
     const double h = world->step / world->substeps;
-    for (int part = 0; part < world->substeps; part++)
+    for (int part = 0; part < world->substeps && !world->blowup.halted; part++)
         advance(world, h);
+    if (world->blowup.halted)
+        return;
     world->step_count++;
 
     // a state that went bad is caught here, at its step

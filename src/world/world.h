@@ -39,6 +39,7 @@ struct World {
     double bound;    ///< largest stable step of the state last looked at [s]
     int substeps;    ///< equal parts in which the guard has each step made
     double drift;    ///< length of the last drift, shorter where balls are near [s]
+    double solvable; ///< part of a step that the method last could solve [1]
     bool look;       ///< look at the bound before the next step
     Blowup blowup;
     char notice[256]; ///< what the guard did last, to be said once; empty: nothing

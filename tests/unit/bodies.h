@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/random.h"
 #include "body/body.h"
+#include "force/material.h"
 #include "law.h"
 #include "mesh/load.h"
 #include "solve/method.h"
@@ -27,9 +28,24 @@ static inline void body_of(const Mesh* mesh, Body* body) {
     body_make(body, mesh, &(Placement){.scale = 1}, paper_mass);
 }
 
+/// A skin of rubber of one thickness, Poisson's ratio 0.4 where the law has one.
+static inline void rubber_on(Body* body, const Material* material, double thickness, double young,
+                             double density) {
+    double* h = new_array(double, body->count);
+    for (int i = 0; i < body->count; i++)
+        h[i] = thickness;
+    material_add(body, h,
+                 &(Rubber){.material = material,
+                           .young = young,
+                           .poisson = material->incompressible ? 0.5 : 0.4,
+                           .mooney = 0.2,
+                           .density = density});
+    free(h);
+}
+
 /// One step of a method: kick and drift.
 static inline void step_of(const Method* method, Body* body, double h) {
-    method->kick(body, h);
+    method->kick(body, NULL, h, &(Effort){0});
     body_drift(body, h);
 }
 

@@ -31,6 +31,11 @@ static const char smallest[] = "step: 0.01\n"
 /// The smallest scene up to its balloon, to which one thing wrong is added.
 #define HEAD "step: 0.01\nballoons:\n  - model: cube\n    mass: {per_particle: 0.5}\n"
 
+/// A balloon of rubber up to its material.
+#define RUBBER                                                                                     \
+    "step: 0.01\nballoons:\n  - model: cube\n"                                                     \
+    "    skin: {membrane: {young: 1e6, density: 1000, thickness: 1e-3, "
+
 // Every key of the format once.
 static const char full[] =
     "title: All there is\n"
@@ -41,6 +46,8 @@ static const char full[] =
     "guard: stop\n"
     "precision: double\n"
     "method: euler\n"
+    "solver: {iterations: 7, tolerance: 1e-5, linear_tolerance: 1e-3, fixed: true, start: rest,\n"
+    "  paper_tangent: true}\n"
     "show: springs\n"
     "seconds: 12\n"
     "camera: {eye: [1, 2, 3], look: [4, 5, 6]}\n"
@@ -50,6 +57,7 @@ static const char full[] =
     "0.25,\n"
     "  friction: 0.75}]\n"
     "walls: [{at: [0, 0, -7], normal: [0, 0, 2]}]\n"
+    "pipes: [{from: 0, to: 1, conductance: 1e-3, start: 0.5}]\n"
     "balloons:\n"
     "  - model: cube-sphere:4\n"
     "    position: [1, -2, 3e-1]\n"
@@ -61,13 +69,21 @@ static const char full[] =
     "    mass: {per_particle: 0.001}\n"
     "    hold_rim: true\n"
     "    inflation: {law: gas, amount: 1.5, rate: 2, least: 0.5, most: 9, ambient: 1e5,\n"
+    "                unit: 2e5, temperature: 300, adiabatic: true, filling: helium, leak: 1e-6,\n"
+    "                vent: 1e-5,\n"
     "                fill: {to: 3, start: 0.25, seconds: 0.5}}\n"
     "    helium: {base: 20, per_inflation: 5}\n"
     "    damping: {coefficient: 0.2, rate: 0}\n"
     "    correction: {structural: 0.1, shear: 0.2, flexion: 0.3, tarantino: true}\n"
     "    strings:\n"
     "      - {to: [0, -6, 0.5], at: nearest, stiffness: 50, slack: 1.2}\n"
-    "      - {at: 12, stiffness: 7}\n";
+    "      - {at: 12, stiffness: 7}\n"
+    "  - model: cube-sphere:4\n"
+    "    skin:\n"
+    "      membrane: {material: stvk-3d, young: 1e6, poisson: 0.4, mooney: 0, density: 1000,\n"
+    "        thickness: 3e-4, volume: global, patches: [{at: [0, 1, 0], radius: 0.5,\n"
+    "        thickness: 1e-4}]}\n"
+    "    inflation: {law: gas, amount: 2}\n";
 
 static char folder[] = "/tmp/balloon-scene-XXXXXX";
 static char scene[64];  // the file that tests write

@@ -133,11 +133,18 @@ static void bound_holds_for_every_force(void** state) {
             for (int torsion = 0; torsion < 2; torsion++) {
                 Body body;
                 body_of(&mesh, &body);
+                if (springs == SPRING_LAWS) // then rubber, of both kinds
+                    rubber_on(&body, torsion ? &material_neo_hookean : &material_stvk, 0.01, 1e3,
+                              10);
                 if (springs < SPRING_LAWS)
                     body_add_springs(&body, paper_springs, (SpringLaw)springs);
                 if (torsion)
                     body_add_torsion(&body, 0.02);
-                body_inflate(&body, (InflationLaw)law, law == INFLATE_GAS ? 1.8 : 15, 1000);
+                body_inflate(&body, &(Inflation){.law = (InflationLaw)law,
+                                                 .amount = law == INFLATE_GAS ? 1.8 : 15,
+                                                 .unit = 1000,
+                                                 .ambient = 1000,
+                                                 .temperature = 1});
                 body_tie(&body, 0, (double[]){0, -5, 0}, 80, 0.5);
                 for (int i = 0; i < body.count; i++)
                     body.x[i] *= (real)1.2;

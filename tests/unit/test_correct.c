@@ -124,11 +124,11 @@ static double blown_stretch(bool on) {
     mesh_of("cube-sphere:6", &mesh);
     body_of(&mesh, &body);
     body_add_springs(&body, paper_springs, LAW_HOOKE);
-    body_inflate(&body, INFLATE_AREA, 20, 0);
+    body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 20});
     body.damping.coefficient = 0.05;
     correct_switch(&correct, &body, on);
     for (int n = 0; n < 3000; n++) {
-        method_euler.kick(&body, 1e-3);
+        method_euler.kick(&body, NULL, 1e-3, &(Effort){0});
         correct_velocity(&correct, &body, 1e-3);
         body_drift(&body, 1e-3);
     }

@@ -39,7 +39,7 @@ static void helium_rises_to_its_terminal_speed(void** state) {
         body_of(&mesh, &body);
         body.gravity = 9.8;
         body.helium = (Helium){20, 5};
-        body_inflate(&body, INFLATE_AREA, 2, 0);
+        body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 2});
         body.inflation.law = INFLATE_NONE; // the amount alone, no push
         body.damping.coefficient = 0.2;
         const double h = 1e-3, terminal = paper_mass * (30 - 9.8) / 0.2;
@@ -113,7 +113,7 @@ static double exact_cube(double h, int steps) {
     mesh_of("cube", &mesh);
     body_of(&mesh, &body);
     body_add_springs(&body, paper_springs, LAW_HOOKE);
-    body_inflate(&body, INFLATE_AREA, 1, 0);
+    body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
     body.damping.coefficient = 0.02;
     step(&body, h, steps);
     const double r = dlength(to_double4(body.x[0]));
@@ -163,7 +163,7 @@ static void exact_cube_fails_where_theory_says(void** state) {
     mesh_of("cube", &mesh);
     body_of(&mesh, &body);
     body_add_springs(&body, paper_springs, LAW_HOOKE);
-    body_inflate(&body, INFLATE_AREA, 1, 0);
+    body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
     body.damping.coefficient = 0.02;
     double r = 0;
     for (int n = 0; n < 3000 && r < most; n++) {
@@ -184,7 +184,7 @@ static void free_balloon_keeps_its_momenta(void** state) {
     body_of(&mesh, &body);
     body_add_springs(&body, paper_springs, LAW_HOOKE);
     body_add_torsion(&body, 0.01);
-    body_inflate(&body, INFLATE_AREA, 5, 0);
+    body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 5});
     shake(&body, 0.02);
     for (int i = 0; i < body.count; i++)
         body.v[i] = cross((real4){(real)0.3, 1, (real)-0.2, 0}, body.x[i]) +
@@ -223,7 +223,7 @@ static void sphere_grows_as_its_sheet_allows(void** state) {
         mesh_of(name, &mesh);
         body_of(&mesh, &body);
         body_add_springs(&body, paper_springs, LAW_HOOKE);
-        body_inflate(&body, INFLATE_AREA, 1, 0);
+        body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
         body.damping.coefficient = 0.05;
         const double first = body.inflation.first_volume;
         step(&body, 1e-3, 6000);

@@ -2,16 +2,29 @@
 #include "bodies.h"
 #include "force/force.h"
 #include "force/inflation.h"
+#include "force/material.h"
 #include "force/strings.h"
 #include "mesh/measure.h"
 
 /// A closed skin, shaken, with everything that the table knows acting on it.
-static void everything(const Mesh* mesh, Body* body, SpringLaw spring_law, InflationLaw law) {
+static void everything(const Mesh* mesh, Body* body, SpringLaw spring_law, InflationLaw law,
+                       const Material* material) {
     body_of(mesh, body);
     body->gravity = 9.8;
+    rubber_on(body, material, 0.3, 300, 1);
+    for (int e = 0; e < body->membrane.count; e++)
+        body->membrane.thickness[e] *= (real)0.9;
     body_add_springs(body, paper_springs, spring_law);
     body_add_torsion(body, 0.01);
-    body_inflate(body, law, law == INFLATE_PRESSURE ? 20 : 1.5, 10);
+    body_inflate(body, &(Inflation){.law = law,
+                                    .amount = law == INFLATE_PRESSURE ? 20 : 1.5,
+                                    .unit = 10,
+                                    .ambient = 10,
+                                    .temperature = 1,
+                                    .adiabatic = material->incompressible,
+                                    .weighs = law == INFLATE_GAS,
+                                    .filling = filling_table[1]});
+    body_prepare_implicit(body);
     body->helium = (Helium){20, 5};
     body->damping = (Damping){0.02, 1};
     body_tie(body, 3, (double[]){0.1, -3, 0.2}, 50, 0.9);
@@ -57,18 +70,158 @@ static void force_is_the_gradient_of_its_energy(void** state) {
     (void)state;
     Mesh mesh;
     mesh_of("cube-sphere:4", &mesh);
-    for (int springs = 0; springs < SPRING_LAWS; springs++)
+    for (int n = 0; n < SPRING_LAWS * material_count; n++)
         for (int law = INFLATE_AREA; law < INFLATION_LAWS; law++) {
             Body body;
-            everything(&mesh, &body, (SpringLaw)springs, (InflationLaw)law);
+            everything(&mesh, &body, (SpringLaw)(n % SPRING_LAWS), (InflationLaw)law,
+                       material_table[n / SPRING_LAWS]);
             for (int k = 0; k < force_count; k++) {
-                assert_true(force_table[k]->present(&body));
-                if (force_table[k]->energy)
+                assert_true(force_table[k]->present(&body) ==
+                            (force_table[k] != &force_lift || law == INFLATE_GAS));
+                if (force_table[k]->energy && force_table[k]->present(&body))
                     check_gradient(force_table[k], &body);
             }
             body_free(&body);
         }
     mesh_free(&mesh);
+}
+
+/// `area` inflation at its frozen pressure, as its product has it.
+static void force_at(const Force* force, Body* body, double frozen) {
+    memset(body->f, 0, (size_t)body->count * sizeof *body->f);
+    if (force == &force_inflation && body->inflation.law == INFLATE_AREA) {
+        measure_volume_gradient(body->mesh, body->x, body->f);
+        for (int i = 0; i < body->count; i++)
+            body->f[i] *= (real)frozen;
+        return;
+    }
+    force->add(body);
+}
+
+/// K d against -(f(x + h d) - f(x - h d)) / 2h.
+static void check_product(const Force* force, Body* body) {
+    const int n = body->count;
+    const double frozen = inflation_pressure(body);
+    real4 *rest = new_array(real4, n), *d = new_array(real4, n), *out = new_array(real4, n),
+          *high = new_array(real4, n);
+    memcpy(rest, body->x, (size_t)n * sizeof *rest);
+    Random random = {99};
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < 3; k++)
+            d[i][k] = (real)(2 * random_next(&random) - 1);
+
+    if (force->stiffen)
+        force->stiffen(body, false);
+    force->product(body, d, out);
+    const real h = (real)1e-6; // truncation h^2, rounding 1e-16 / h
+    for (int i = 0; i < n; i++)
+        body->x[i] = rest[i] + h * d[i];
+    force_at(force, body, frozen);
+    memcpy(high, body->f, (size_t)n * sizeof *high);
+    for (int i = 0; i < n; i++)
+        body->x[i] = rest[i] - h * d[i];
+    force_at(force, body, frozen);
+
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = fmax(most, (double)length(out[i]));
+    for (int i = 0; i < n; i++)
+        for (int k = 0; k < 3; k++)
+            near_at((double)out[i][k], (double)((body->f[i][k] - high[i][k]) / (2 * h)),
+                    1e-6 * most, force->name, __FILE__, __LINE__);
+    memcpy(body->x, rest, (size_t)n * sizeof *rest);
+    free(rest);
+    free(d);
+    free(out);
+    free(high);
+}
+
+static void product_is_the_derivative_of_the_force(void** state) {
+    (void)state;
+    if (sizeof(real) == sizeof(float))
+        skip(); // differences of float forces are noise
+    Mesh mesh;
+    mesh_of("cube-sphere:4", &mesh);
+    for (int n = 0; n < SPRING_LAWS * material_count; n++)
+        for (int law = INFLATE_AREA; law < INFLATION_LAWS; law++) {
+            Body body;
+            everything(&mesh, &body, (SpringLaw)(n % SPRING_LAWS), (InflationLaw)law,
+                       material_table[n / SPRING_LAWS]);
+            for (int k = 0; k < force_count; k++)
+                if (force_table[k]->product && force_table[k]->present(&body))
+                    check_product(force_table[k], &body);
+            body_free(&body);
+        }
+    mesh_free(&mesh);
+}
+
+/// A projected tangent is never negative, whatever the state: d . K d >= 0.
+static void projected_tangent_is_positive(void** state) {
+    (void)state;
+    Mesh mesh;
+    mesh_of("cube-sphere:4", &mesh);
+    const Force* const projected[] = {&force_springs, &force_torsion, &force_membrane};
+    for (int m = 0; m < material_count; m++) {
+        Body body;
+        everything(&mesh, &body, LAW_RUBBER, INFLATE_AREA, material_table[m]);
+        for (int i = 0; i < body.count; i++)
+            body.x[i] *= (real)0.7; // pressed
+        real4 *d = new_array(real4, body.count), *out = new_array(real4, body.count);
+        Random random = {7};
+        bool negative = false;
+        for (int round = 0; round < 100; round++)
+            for (size_t k = 0; k < sizeof projected / sizeof *projected; k++)
+                for (int project = 0; project < 2; project++) {
+                    for (int i = 0; i < body.count; i++)
+                        d[i] = round ? (real4){(real)(random_next(&random) - 0.5),
+                                               (real)(random_next(&random) - 0.5),
+                                               (real)(random_next(&random) - 0.5), 0}
+                                     : (real)(1 - 2 * (i % 2)) * body.x[i];
+                    memset(out, 0, (size_t)body.count * sizeof *out);
+                    projected[k]->stiffen(&body, project);
+                    projected[k]->product(&body, d, out);
+                    double sum = 0, size = 0;
+                    for (int i = 0; i < body.count; i++) {
+                        sum += (double)dot(d[i], out[i]);
+                        size += (double)(length(d[i]) * length(out[i]));
+                    }
+                    if (project)
+                        assert_true(sum >= -1e-6 * size);
+                    else
+                        negative = negative || sum < -1e-6 * size;
+                }
+        assert_true(negative); // or there was nothing to project
+        free(d);
+        free(out);
+        body_free(&body);
+    }
+    mesh_free(&mesh);
+}
+
+/// (rho V - m) g upward, and nothing to the sides.
+static void lift_is_the_weight_of_the_air_less_the_gas(void** state) {
+    (void)state;
+    const char* names[] = {"cube-sphere:4", "icosphere:2", "torus:12x8"};
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        Mesh mesh;
+        Body body;
+        mesh_of(names[n], &mesh);
+        everything(&mesh, &body, LAW_HOOKE, INFLATE_GAS, &material_neo_hookean);
+        body.inflation.unit = standard_pressure;
+        memset(body.f, 0, (size_t)body.count * sizeof *body.f);
+        force_lift.add(&body);
+        double4 net = {0};
+        for (int i = 0; i < body.count; i++)
+            net += to_double4(body.f[i]);
+        const double volume = measure_volume(&mesh, body.x);
+        const double gas = 0.138 * 1.2041 * 1.5 * body.inflation.first_volume;
+        const double want = 9.8 * (1.2041 * volume - gas);
+        assert_near(net[1], want, TOLERANCE(1e-4, 1e-11) * volume * 12);
+        assert_near(net[0], 0, TOLERANCE(1e-4, 1e-11) * volume * 12);
+        assert_near(net[2], 0, TOLERANCE(1e-4, 1e-11) * volume * 12);
+        body_free(&body);
+        mesh_free(&mesh);
+    }
 }
 
 static void internal_forces_push_nothing_as_a_whole(void** state) {
@@ -79,7 +232,7 @@ static void internal_forces_push_nothing_as_a_whole(void** state) {
             Mesh mesh;
             Body body;
             mesh_of(names[n], &mesh);
-            everything(&mesh, &body, LAW_RUBBER, (InflationLaw)law);
+            everything(&mesh, &body, LAW_RUBBER, (InflationLaw)law, &material_mooney_rivlin);
             for (int k = 0; k < force_count; k++) {
                 if (!force_table[k]->internal)
                     continue;
@@ -202,7 +355,7 @@ static void area_pressure_is_100_amount_over_area(void** state) {
     Body body;
     mesh_of("cube", &mesh);
     body_of(&mesh, &body);
-    body_inflate(&body, INFLATE_AREA, 1, 0);
+    body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
     assert_close(inflation_pressure(&body), 100.0 / 24, TOLERANCE(1e-6, 1e-15));
     force_sum(&body);
     // a quarter of three faces' area vectors of 4: (1, 1, 1), outward
@@ -220,7 +373,10 @@ static void gas_at_its_first_amount_pushes_nothing(void** state) {
     Body body;
     mesh_of("cube-sphere:4", &mesh);
     body_of(&mesh, &body);
-    body_inflate(&body, INFLATE_GAS, 1, 101325);
+    body_inflate(
+        &body,
+        &(Inflation){
+            .law = INFLATE_GAS, .amount = 1, .unit = 101325, .ambient = 101325, .temperature = 1});
     assert_near(inflation_pressure(&body), 0, 1e-9);
     body.inflation.amount = 2;
     assert_close(inflation_pressure(&body), 101325.0, 1e-12);
@@ -267,6 +423,9 @@ static void torsion_holds_the_angle(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(force_is_the_gradient_of_its_energy),
+        cmocka_unit_test(product_is_the_derivative_of_the_force),
+        cmocka_unit_test(projected_tangent_is_positive),
+        cmocka_unit_test(lift_is_the_weight_of_the_air_less_the_gas),
         cmocka_unit_test(internal_forces_push_nothing_as_a_whole),
         cmocka_unit_test(chain_has_its_frequencies),
         cmocka_unit_test(spring_laws_are_what_they_say),

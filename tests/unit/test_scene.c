@@ -21,8 +21,34 @@ static void every_key_of_a_world_loads_into_its_field(void** state) {
     assert_int_equal(def.about_count, 1);
     assert_string_equal(def.about[0].output, "balloon0.cy");
     assert_true(def.about[0].at == 20 && def.about[0].tolerance == 0.05);
-    assert_int_equal(def.balloons_count, 1);
+    assert_int_equal(def.balloons_count, 2);
+    const SolverDef* solver = &def.solver;
+    assert_true(solver->iterations == 7 && solver->tolerance == 1e-5);
+    assert_true(solver->linear_tolerance == 1e-3 && solver->fixed && solver->paper_tangent);
+    assert_int_equal(solver->start, START_REST);
+    assert_int_equal(def.pipes_count, 1);
+    assert_true(def.pipes[0].from == 0 && def.pipes[0].to == 1);
+    assert_true(def.pipes[0].conductance == 1e-3 && def.pipes[0].start == 0.5);
     assert_string_equal(def.file, scene);
+    scene_free(&def);
+}
+
+static void every_key_of_rubber_and_gas_loads_into_its_field(void** state) {
+    (void)state;
+    WorldDef def;
+    must_load(full, NULL, &def);
+    const MembraneDef* rubber = def.balloons[1].skin.membrane;
+    assert_string_equal(rubber->material, "stvk-3d");
+    assert_true(rubber->young == 1e6 && *rubber->poisson == 0.4 && rubber->mooney == 0);
+    assert_true(rubber->density == 1000 && rubber->thickness == 3e-4);
+    assert_int_equal(rubber->volume, VOLUME_GLOBAL);
+    assert_int_equal(rubber->patches_count, 1);
+    assert_vector(rubber->patches[0].at, 0, 1, 0);
+    assert_true(rubber->patches[0].radius == 0.5 && rubber->patches[0].thickness == 1e-4);
+    const InflationDef* gas = def.balloons[0].inflation;
+    assert_true(*gas->unit == 2e5 && *gas->temperature == 300 && gas->adiabatic);
+    assert_true(gas->leak == 1e-6 && gas->vent == 1e-5);
+    assert_string_equal(gas->filling, "helium");
     scene_free(&def);
 }
 
@@ -56,7 +82,7 @@ static void every_key_of_a_balloon_loads_into_its_field(void** state) {
     const SpringsDef* springs = balloon->skin.springs;
     assert_true(springs->structural == 50 && springs->shear == 10 && springs->flexion == 11);
     assert_true(springs->torsion == 12 && springs->law == LAW_RUBBER);
-    assert_true(balloon->mass.per_particle == 0.001);
+    assert_true(balloon->mass->per_particle == 0.001);
     assert_true(balloon->hold_rim);
     assert_true(balloon->helium->base == 20 && balloon->helium->per_inflation == 5);
     assert_true(balloon->damping->coefficient == 0.2 && balloon->damping->rate == 0);
@@ -139,13 +165,13 @@ static void what_an_alias_stands_for_is_copied(void** state) {
                                "  - {model: cube, mass: *m}\n";
     WorldDef def;
     must_load(text, NULL, &def);
-    assert_true(def.balloons[1].mass.per_particle == 0.5);
+    assert_true(def.balloons[1].mass->per_particle == 0.5);
     scene_free(&def);
 
     const char* const set[] = {"balloons.1.mass.per_particle=2", NULL};
     must_load(text, set, &def);
-    assert_true(def.balloons[0].mass.per_particle == 0.5);
-    assert_true(def.balloons[1].mass.per_particle == 2);
+    assert_true(def.balloons[0].mass->per_particle == 0.5);
+    assert_true(def.balloons[1].mass->per_particle == 2);
     scene_free(&def);
 }
 
@@ -283,6 +309,7 @@ static void a_mutated_scene_is_loaded_or_refused_in_one_sentence(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_key_of_a_world_loads_into_its_field),
+        cmocka_unit_test(every_key_of_rubber_and_gas_loads_into_its_field),
         cmocka_unit_test(every_key_of_spheres_and_walls_loads_into_its_field),
         cmocka_unit_test(every_key_of_a_balloon_loads_into_its_field),
         cmocka_unit_test(every_key_of_inflation_and_strings_loads_into_its_field),

@@ -1,0 +1,104 @@
+/// A rubber skin of thin elements: three-prisms, which are the mesh's triangles with a thickness.
+///
+/// The deformation of an element is constant. With e1, e2 its edges from the first corner and
+/// E1, E2 the same at rest, in the element's own plane,
+///
+///     F = [e1 e2] [E1 E2]^-1      3 x 2, the membrane part of the deformation gradient
+///     C = F^T F                   2 x 2
+///     energy = h0 A0 W(tr C, det C)                                                  [J]
+///
+/// W is the material's (force/material.h). Thickness is no direction of its own but a number: what
+/// the material makes of it (incompressible rubber: h = h0 A0 / A), or a state that volume
+/// preservation keeps (correct/rubber.h). Bending and transverse shear have no energy. Source: the
+/// thin-shell balloon paper, "Three-prism element", with the 3 x 2 gradient.
+///
+/// A quad is split along its shorter diagonal. Where the diagonals are alike, it is split along
+/// both into four elements of half weight, so that a symmetric mesh stays symmetric.
+#ifndef BALLOON_BODY_MEMBRANE_H
+#define BALLOON_BODY_MEMBRANE_H
+
+#include "mesh/mesh.h"
+
+typedef struct Material Material;
+
+/// How the rubber's volume is kept (correct/rubber.h).
+typedef enum VolumeRule {
+    VOLUME_LOCAL,  ///< each element's: h = h0 A0 / A
+    VOLUME_GLOBAL, ///< the sum of all, by moving particles and thicknesses; the paper's
+    VOLUME_RULES
+} VolumeRule;
+extern const char* const volume_rule_name[VOLUME_RULES];
+
+/// Second derivative of an element's energy by its two edges, as the columns of 3 x 3 blocks.
+typedef struct Stiffness {
+    real4 k11[3]; ///< e1 e1 [N/m]
+    real4 k12[3]; ///< e1 e2: column c is the derivative of the force on e1 by e2[c]
+    real4 k21[3]; ///< e2 e1, the transpose
+    real4 k22[3];
+} Stiffness;
+
+/// What a scene gives of a skin of rubber.
+typedef struct Rubber {
+    const Material* material;
+    double young;   ///< E [Pa]
+    double poisson; ///< nu [1]
+    double mooney;  ///< C2/C1 [1], of Mooney-Rivlin only
+    double density; ///< rho [kg/m^3]
+    VolumeRule rule;
+} Rubber;
+
+typedef struct Membrane {
+    Rubber rubber;
+    double constant[2]; ///< the material's, from E, nu and C2/C1 [Pa]
+    int count;          ///< elements
+    int (*corner)[3];   ///< [count] particles, counter-clockwise seen from outside
+    real4* rest;        ///< [count] [E1 E2]^-1 = (r0 r1; 0 r2) in the element's plane [1/m], and in
+                        ///< r3 the rest volume h0 A0 of rubber, half of it where two splits overlap
+                        ///< [m^3]
+    real* first;        ///< [count] h0 [m]
+    real* thickness;    ///< [count] h as the material reads it [m]
+    Stiffness* stiffness; ///< [count] of the last tangent; NULL where no method needs it
+    double volume;        ///< sum of h0 A0 [m^3]
+} Membrane;
+
+/// Elements of the mesh at the positions x, which are at rest there.
+/// thickness: [mesh->point_count] h0 at the particles [m]; an element takes the mean of its
+/// corners.
+void membrane_make(Membrane* membrane, const Mesh* mesh, const real4* x, const double* thickness,
+                   const Rubber* rubber);
+
+/// Add a third of each element's rubber to its corners. mass: [point_count] [kg]
+void membrane_add_mass(const Membrane* membrane, double* mass);
+
+/// Area of an element now [m^2].
+static inline double membrane_area(const Membrane* membrane, const real4* x, int element) {
+    const int* c = membrane->corner[element];
+    const double4 a = to_double4(x[c[0]]);
+    return dlength(dcross(to_double4(x[c[1]]) - a, to_double4(x[c[2]]) - a)) / 2;
+}
+
+/// Share of an element in the skin: 1, or 1/2 where two splits of a quad overlap.
+double membrane_share(const Membrane* membrane, int element);
+
+/// Thickness of an element now [m]: a state under the global rule, else h0 A0 / A.
+static inline double membrane_thickness(const Membrane* membrane, const real4* x, int element) {
+    if (membrane->rubber.rule == VOLUME_GLOBAL)
+        return (double)membrane->thickness[element];
+    const real4 r = membrane->rest[element];
+    const double area_at_rest = 0.5 / ((double)r[0] * (double)r[2]);
+    return (double)membrane->first[element] * area_at_rest / membrane_area(membrane, x, element);
+}
+
+/// The larger principal stretch of an element [1].
+double membrane_stretch(const Membrane* membrane, const real4* x, int element);
+
+/// Rubber now over rubber at rest, summed and of the worst element [1].
+typedef struct VolumeRatio {
+    double sum;
+    double worst; ///< the element's ratio that is farthest from 1
+} VolumeRatio;
+VolumeRatio membrane_volume_ratio(const Membrane* membrane, const real4* x);
+
+void membrane_free(Membrane* membrane);
+
+#endif

@@ -1,0 +1,36 @@
+/// Preservation of the rubber's volume after a step, by one of two rules (body/membrane.h).
+///
+/// local   h = h0 A0 / A of each element, exactly; no particle moves.
+/// global  the thin-shell paper's position-based constraint on the sum,
+///
+///     C = sum over elements of s h A - h0 A0,  h A = (x4 - c) . (e12 x e13) / 2
+///
+///         with a virtual vertex x4 = c + h n over the middle c of each element. Particles weigh
+///         rho h0 A0 / 6 for each corner, x4 half of the element. One pass moves all of them by
+///         -C w dC / sum of w |dC|^2, and passes follow until |C| < 1e-12 of the rubber; then
+///         h = (x4 - c) . n, and v = (x - x_old) / h. Eq. 27 as printed leaves a fifth of the error
+///         each pass. Single elements drift: membrane_volume_ratio says how far.
+///
+/// All in double; what is stored is rounded to the state's precision.
+#ifndef BALLOON_CORRECT_PRESERVE_H
+#define BALLOON_CORRECT_PRESERVE_H
+
+#include "body/body.h"
+
+typedef struct Preserve {
+    double4* x;        ///< [count] positions on the way; NULL where the rule is local
+    double4* gradient; ///< [count] dC/dx
+    double* weight;    ///< [count] 1/m'
+    double* thickness; ///< [elements] on the way
+    int passes;        ///< that the last step took
+} Preserve;
+
+/// Room for the body's rule.
+void preserve_open(Preserve* preserve, const Body* body);
+
+/// Keep the rubber's volume after a drift of length h.
+void preserve_volume(Preserve* preserve, Body* body, double h);
+
+void preserve_close(Preserve* preserve);
+
+#endif

@@ -1,0 +1,25 @@
+#include "force/material.h"
+
+#include "base/table.h"
+
+const Material* const material_table[] = {
+    &material_neo_hookean,
+    &material_mooney_rivlin,
+    &material_stvk,
+    &material_stvk_3d,
+};
+const int material_count = sizeof material_table / sizeof *material_table;
+
+const Material* material_find(const char* name) {
+    return table_find(material_table, material_count, name);
+}
+
+const char* material_names(void) {
+    static char names[256];
+    return table_names(material_table, material_count, names, sizeof names);
+}
+
+void material_add(Body* body, const double* thickness, const Rubber* rubber) {
+    body_add_membrane(body, thickness, rubber);
+    rubber->material->constants(rubber, body->membrane.constant);
+}

@@ -1,0 +1,56 @@
+/// Materials of rubber skins: a table, one file and one row each.
+///
+/// A material is its energy per rest volume W(I, D) of a thin sheet, I = tr C and D = det C, the
+/// squared area ratio (body/membrane.h); out of the plane the sheet is free of stress, or has the
+/// thickness that it is given. With w1 = dW/dI and w2 = dW/dD
+///
+///     second Piola-Kirchhoff stress   S = 2 (w1 1 + w2 adj C)                        [Pa]
+///     force on an edge                -h0 A0 F S [E1 E2]^-T                          [N]
+///
+/// so each material is a handful of numbers, and its file makes the loops over elements from them
+/// (force/membrane_kernel.h).
+#ifndef BALLOON_FORCE_MATERIAL_H
+#define BALLOON_FORCE_MATERIAL_H
+
+#include "base/fault.h"
+#include "body/body.h"
+
+struct Material {
+    const char* name;
+    const char* about;
+    bool incompressible;  ///< Poisson's ratio is 1/2 by law
+    double poisson_most;  ///< largest Poisson's ratio that the law takes
+    bool poisson_open;    ///< not even the largest itself
+    bool reads_thickness; ///< it reads the thickness that volume preservation keeps
+
+    /// The law's constants from E, nu and C2/C1. [Pa]
+    void (*constants)(const Rubber* rubber, double constant[2]);
+
+    /// Energy per rest volume, t = h/h0 where the law reads it. [J/m^3]
+    double (*energy)(const double constant[2], double t, double I, double D);
+
+    /// f += force of every element on its corners. [N]
+    void (*add)(const Membrane* membrane, const real4* x, real4* f);
+
+    /// Write membrane->stiffness at x; `project` takes out what is not positive definite.
+    void (*stiffen)(Membrane* membrane, const real4* x, bool project);
+
+    /// Upper bound on the elements' squared frequencies [1/s^2].
+    double (*bound)(const Membrane* membrane, const real4* x);
+};
+
+extern const Material material_neo_hookean, material_mooney_rivlin, material_stvk, material_stvk_3d;
+
+extern const Material* const material_table[];
+extern const int material_count;
+
+/// Give a body a skin of rubber (body_add_membrane) with the material's constants.
+void material_add(Body* body, const double* thickness, const Rubber* rubber);
+
+/// Row by name, or NULL.
+const Material* material_find(const char* name);
+
+/// Names of all, "neo-hookean, …", for sentences.
+const char* material_names(void);
+
+#endif

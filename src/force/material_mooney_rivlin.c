@@ -1,0 +1,36 @@
+/// Mooney-Rivlin rubber, incompressible: W = C1 (I + 1/D - 3) + C2 (D + I/D - 3), E = 6 (C1 + C2).
+/// Stiffens at large stretch; above C2/C1 = 0.2144 a balloon has no pressure peak. Source: R. W.
+/// Ogden, Non-linear elastic deformations, 1984.
+#include "force/material.h"
+#include "force/membrane_kernel.h"
+
+static inline Law law(const real k[2], real t, real I, real D) {
+    (void)t;
+    const real c1 = k[0], c2 = k[1], inverse = 1 / D, inverse2 = inverse * inverse;
+    return (Law){.w1 = c1 + c2 * inverse,
+                 .w2 = c2 - (c1 + c2 * I) * inverse2,
+                 .w12 = -c2 * inverse2,
+                 .w22 = 2 * (c1 + c2 * I) * inverse2 * inverse};
+}
+
+static double energy(const double k[2], double t, double I, double D) {
+    (void)t;
+    return k[0] * (I + 1 / D - 3) + k[1] * (D + I / D - 3);
+}
+
+static void constants(const Rubber* rubber, double k[2]) {
+    k[0] = rubber->young / (6 * (1 + rubber->mooney));
+    k[1] = rubber->mooney * k[0];
+}
+
+const Material material_mooney_rivlin = {
+    .name = "mooney-rivlin",
+    .about = "W = C1 (I + 1/D - 3) + C2 (D + I/D - 3), incompressible rubber",
+    .incompressible = true,
+    .poisson_most = 0.5,
+    .constants = constants,
+    .energy = energy,
+    .add = add_elements,
+    .stiffen = stiffen_elements,
+    .bound = bound_elements,
+};

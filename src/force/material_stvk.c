@@ -1,0 +1,34 @@
+/// St. Venant-Kirchhoff in plane stress: W = mu e:e + L/2 (tr e)^2 with Green's strain
+/// e = (C - 1)/2, mu = E / (2 (1 + nu)), L = E nu / (1 - nu^2). Right for small strain; a balloon
+/// of it has no pressure peak, and it has no strength in compression.
+#include "force/material.h"
+#include "force/membrane_kernel.h"
+
+static inline Law law(const real k[2], real t, real I, real D) {
+    (void)t, (void)D;
+    const real mu = k[0], L = k[1];
+    return (Law){.w1 = mu * (I - 1) / 2 + L * (I - 2) / 4, .w2 = -mu / 2, .w11 = mu / 2 + L / 4};
+}
+
+static double energy(const double k[2], double t, double I, double D) {
+    (void)t;
+    const double trace = (I - 2) / 2, square = (I * I - 2 * D - 2 * I + 2) / 4;
+    return k[0] * square + k[1] / 2 * trace * trace;
+}
+
+static void constants(const Rubber* rubber, double k[2]) {
+    const double nu = rubber->poisson;
+    k[0] = rubber->young / (2 * (1 + nu));
+    k[1] = rubber->young * nu / (1 - nu * nu);
+}
+
+const Material material_stvk = {
+    .name = "stvk",
+    .about = "St. Venant-Kirchhoff in plane stress",
+    .poisson_most = 0.5,
+    .constants = constants,
+    .energy = energy,
+    .add = add_elements,
+    .stiffen = stiffen_elements,
+    .bound = bound_elements,
+};

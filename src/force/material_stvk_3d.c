@@ -1,0 +1,38 @@
+/// St. Venant-Kirchhoff in space, the thin-shell paper's: W = mu (e:e + g^2) + L/2 (tr e + g)^2
+/// with Green's strain e = (C - 1)/2, g = (t^2 - 1)/2 from the thickness t = h/h0, which is a
+/// parameter that volume preservation sets between steps. mu = E / (2 (1 + nu)), L = E nu / ((1 +
+/// nu) (1 - 2 nu)), so nu must stay below 1/2. Source: eq. 6 and 9 of the paper.
+#include "force/material.h"
+#include "force/membrane_kernel.h"
+
+static inline Law law(const real k[2], real t, real I, real D) {
+    (void)D;
+    const real mu = k[0], L = k[1], g = (t * t - 1) / 2;
+    return (Law){
+        .w1 = mu * (I - 1) / 2 + L * ((I - 2) / 2 + g) / 2, .w2 = -mu / 2, .w11 = mu / 2 + L / 4};
+}
+
+static double energy(const double k[2], double t, double I, double D) {
+    const double g = (t * t - 1) / 2, trace = (I - 2) / 2 + g;
+    const double square = (I * I - 2 * D - 2 * I + 2) / 4 + g * g;
+    return k[0] * square + k[1] / 2 * trace * trace;
+}
+
+static void constants(const Rubber* rubber, double k[2]) {
+    const double nu = rubber->poisson;
+    k[0] = rubber->young / (2 * (1 + nu));
+    k[1] = rubber->young * nu / ((1 + nu) * (1 - 2 * nu));
+}
+
+const Material material_stvk_3d = {
+    .name = "stvk-3d",
+    .about = "St. Venant-Kirchhoff with the thickness as a parameter, the thin-shell paper's",
+    .poisson_most = 0.5,
+    .poisson_open = true,
+    .reads_thickness = true,
+    .constants = constants,
+    .energy = energy,
+    .add = add_elements,
+    .stiffen = stiffen_elements,
+    .bound = bound_elements,
+};

@@ -1,0 +1,312 @@
+/// Backward Euler by Newton's method and conjugate gradients, the thin-shell paper's way, with the
+/// volume term exact and the start at x + h v.
+///
+///     R(v') = M (v' - v) - h f(x + h v', v') = 0        the step's equation
+///     A dv = -R,  A = M + h D + h^2 K                   D drag, K = -df/dx, made positive
+///
+/// K is never assembled: each force multiplies by its own part (Force.product), the gas by its
+/// rank-one one. A is preconditioned by its diagonal 3 x 3 blocks. A step dv that leaves more of R
+/// than there was is halved until less is left or the incremental potential
+///
+///     P(v') = |v' - v|^2_M / 2 + h |v'|^2_D / 2 + E(x + h v')
+///
+/// falls. Order 1; damps what it does not resolve; never unstable. Linear momentum is kept to the
+/// tolerance, angular momentum only to order.
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "force/force.h"
+#include "mesh/measure.h"
+#include "solve/method.h"
+
+static const Solver usual = {.iterations = 50, .tolerance = 1e-6, .linear_tolerance = 1e-2};
+
+/// Float cannot bring the residual below the rounding of the forces that cancel in it. [1]
+static const double float_floor = 2e-6;
+
+enum { PRODUCTS_MOST = 2000, HALVINGS_MOST = 12 };
+
+typedef struct Room {
+    Solver solver;
+    real4* x;        ///< [count] positions at the start of the step
+    real4* v;        ///< [count] velocities at the start of the step
+    real4* residual; ///< [count] R
+    real4* change;   ///< [count] dv
+    real4* left;     ///< [count] of the linear equation
+    real4* search;   ///< [count] direction
+    real4* image;    ///< [count] A times direction
+    real4* ready;    ///< [count] preconditioned remainder
+    Block* inverse;  ///< [count] of A's diagonal blocks
+} Room;
+
+static void* open(Body* body, const Solver* solver) {
+    body_prepare_implicit(body);
+    Room* room = new_array(Room, 1);
+    const int n = body->count;
+    *room = (Room){
+        .solver = *solver,
+        .x = new_array(real4, n),
+        .v = new_array(real4, n),
+        .residual = new_array(real4, n),
+        .change = new_array(real4, n),
+        .left = new_array(real4, n),
+        .search = new_array(real4, n),
+        .image = new_array(real4, n),
+        .ready = new_array(real4, n),
+        .inverse = new_array(Block, n),
+    };
+    if (room->solver.iterations == 0)
+        room->solver.iterations = usual.iterations;
+    if (room->solver.tolerance == 0)
+        room->solver.tolerance = usual.tolerance;
+    if (room->solver.linear_tolerance == 0)
+        room->solver.linear_tolerance = usual.linear_tolerance;
+    if (sizeof(real) == sizeof(float) && room->solver.tolerance > 0)
+        room->solver.tolerance = fmax(room->solver.tolerance, float_floor);
+    return room;
+}
+
+static void close(void* self) {
+    Room* room = self;
+    if (!room)
+        return;
+    free(room->x);
+    free(room->v);
+    free(room->residual);
+    free(room->change);
+    free(room->left);
+    free(room->search);
+    free(room->image);
+    free(room->ready);
+    free(room->inverse);
+    free(room);
+}
+
+/// The body at the velocities that are tried: v' = v' + part dv, x' = x + h v'.
+static void go(Body* body, const Room* room, double part, double h) {
+    for (int i = 0; i < body->count; i++) {
+        body->v[i] += (real)part * room->change[i];
+        body->x[i] = room->x[i] + (real)h * body->v[i];
+    }
+}
+
+static double weigh(const Body* body, const real4* r) {
+    double sum = 0;
+    for (int i = 0; i < body->count; i++)
+        sum += (double)body->inverse_mass[i] * (double)dot(r[i], r[i]);
+    return sqrt(sum);
+}
+
+/// R at the present v' and x', and its size |R|_(1/M).
+static double residual(Body* body, Room* room, double h) {
+    force_sum(body);
+    for (int i = 0; i < body->count; i++)
+        room->residual[i] = body->inverse_mass[i] > 0
+                                ? body->mass[i] * (body->v[i] - room->v[i]) - (real)h * body->f[i]
+                                : (real4){0, 0, 0, 0};
+    return weigh(body, room->residual);
+}
+
+/// What R is measured against: the forces that cancel in it, each by itself, times h.
+static double measure_of(Body* body, double h) {
+    double sum = 0;
+    for (int k = 0; k < force_count; k++) {
+        if (!force_table[k]->present(body))
+            continue;
+        memset(body->f, 0, (size_t)body->count * sizeof *body->f);
+        force_table[k]->add(body);
+        const double size = weigh(body, body->f);
+        sum += size * size;
+    }
+    return h * sqrt(sum);
+}
+
+/// P, against the velocities at the start.
+static double potential(const Body* body, const Room* room, double h) {
+    double sum = 0;
+    for (int i = 0; i < body->count; i++) {
+        const double4 v = to_double4(body->v[i]), dv = v - to_double4(room->v[i]);
+        sum += (double)body->mass[i] * ddot(dv, dv) + h * body_drag(body, i) * ddot(v, v);
+    }
+    sum /= 2;
+    for (int k = 0; k < force_count; k++)
+        if (force_table[k]->energy && force_table[k]->present(body))
+            sum += force_table[k]->energy(body);
+    return sum;
+}
+
+/// out = A d
+static void multiply(const Body* body, const real4* d, double h, real4* out) {
+    memset(out, 0, (size_t)body->count * sizeof *out);
+    for (int k = 0; k < force_count; k++)
+        if (force_table[k]->product && force_table[k]->present(body))
+            force_table[k]->product(body, d, out);
+    for (int i = 0; i < body->count; i++) {
+        const real own = body->mass[i] + (real)(h * body_drag(body, i));
+        const real held = body->inverse_mass[i] > 0 ? 1 : 0;
+        out[i] = held * (own * d[i] + (real)(h * h) * out[i]);
+    }
+}
+
+/// The inverse of a symmetric block, by its cofactors.
+static Block inverse_of(const Block* block) {
+    const real4 a = block->column[0], b = block->column[1], c = block->column[2];
+    const real4 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const real det = dot(a, bc);
+    return (Block){{bc / det, ca / det, ab / det}};
+}
+
+static void ready_preconditioner(const Body* body, Room* room, double h) {
+    Block* block = room->inverse;
+    memset(block, 0, (size_t)body->count * sizeof *block);
+    for (int k = 0; k < force_count; k++)
+        if (force_table[k]->diagonal && force_table[k]->present(body))
+            force_table[k]->diagonal(body, block);
+    for (int i = 0; i < body->count; i++) {
+        for (int c = 0; c < 3; c++) {
+            block[i].column[c] *= (real)(h * h);
+            block[i].column[c][c] += body->mass[i] + (real)(h * body_drag(body, i));
+        }
+        block[i] = inverse_of(&block[i]);
+    }
+}
+
+/// ready = preconditioner times left; returns left . ready.
+static double precondition(const Body* body, Room* room) {
+    double sum = 0;
+    for (int i = 0; i < body->count; i++) {
+        const Block* b = &room->inverse[i];
+        const real4 r = room->left[i];
+        room->ready[i] = r[0] * b->column[0] + r[1] * b->column[1] + r[2] * b->column[2];
+        sum += (double)dot(r, room->ready[i]);
+    }
+    return sum;
+}
+
+static double sum_of(const Body* body, const real4* a, const real4* b) {
+    double sum = 0;
+    for (int i = 0; i < body->count; i++)
+        sum += (double)dot(a[i], b[i]);
+    return sum;
+}
+
+/// Solve A dv = -R. Stops where A is not positive along the search, with what there is so far.
+static void solve_linear(Body* body, Room* room, double h, Effort* effort) {
+    for (int i = 0; i < body->count; i++)
+        room->left[i] = -room->residual[i];
+    memset(room->change, 0, (size_t)body->count * sizeof *room->change);
+
+    double size = precondition(body, room);
+    const double enough = size * room->solver.linear_tolerance * room->solver.linear_tolerance;
+    memcpy(room->search, room->ready, (size_t)body->count * sizeof *room->search);
+    for (int n = 0; n < PRODUCTS_MOST && size > enough; n++) {
+        multiply(body, room->search, h, room->image);
+        effort->products++;
+        const double curvature = sum_of(body, room->search, room->image);
+        if (!(curvature > 0)) {
+            if (n == 0) // steepest descent is at least down
+                memcpy(room->change, room->search, (size_t)body->count * sizeof *room->change);
+            return;
+        }
+        const real step = (real)(size / curvature);
+        for (int i = 0; i < body->count; i++) {
+            room->change[i] += step * room->search[i];
+            room->left[i] -= step * room->image[i];
+        }
+        const double last = size;
+        size = precondition(body, room);
+        const real turn = (real)(size / last);
+        for (int i = 0; i < body->count; i++)
+            room->search[i] = room->ready[i] + turn * room->search[i];
+    }
+}
+
+static bool has_room(const Body* body) {
+    return body->inflation.law != INFLATE_GAS || measure_volume(body->mesh, body->x) > 0;
+}
+
+/// Take dv, or as much of it as makes things better. Returns the residual's new size, or less than
+/// 0 where no part of dv does.
+static double take(Body* body, Room* room, double before, double h) {
+    double potential_before = NAN, taken = 0, part = 1;
+    for (int halving = 0; halving < HALVINGS_MOST; halving++, part /= 2) {
+        if (halving == 1) { // the first part was not good: what was it worth before?
+            go(body, room, -taken, h);
+            potential_before = potential(body, room, h);
+            taken = 0;
+        }
+        go(body, room, part - taken, h);
+        taken = part;
+        if (!has_room(body))
+            continue;
+        const double after = residual(body, room, h);
+        if (after <= before || (halving > 0 && potential(body, room, h) < potential_before))
+            return after;
+    }
+    return -1;
+}
+
+static void put_back(Body* body, const Room* room) {
+    memcpy(body->x, room->x, (size_t)body->count * sizeof *body->x);
+    memcpy(body->v, room->v, (size_t)body->count * sizeof *body->v);
+}
+
+static bool solve(Body* body, Room* room, double h, Effort* effort) {
+    const Solver* solver = &room->solver;
+    const bool counted = solver->tolerance < 0;
+    double size = residual(body, room, h);
+    const double scale = fmax(size, measure_of(body, h));
+    while (effort->iterations < solver->iterations &&
+           (counted || size > solver->tolerance * scale)) {
+        for (int k = 0; k < force_count; k++)
+            if (force_table[k]->stiffen && force_table[k]->present(body))
+                force_table[k]->stiffen(body, true);
+        ready_preconditioner(body, room, h);
+        solve_linear(body, room, h, effort);
+        size = take(body, room, size, h);
+        effort->iterations++;
+        if (!(size >= 0))
+            return false;
+    }
+    effort->residual = scale > 0 ? size / scale : 0;
+    return counted || size <= solver->tolerance * scale;
+}
+
+static bool kick(Body* body, void* self, double h, Effort* effort) {
+    Room* room = self;
+    *effort = (Effort){0};
+    memcpy(room->x, body->x, (size_t)body->count * sizeof *room->x);
+    memcpy(room->v, body->v, (size_t)body->count * sizeof *room->v);
+    memset(room->change, 0, (size_t)body->count * sizeof *room->change);
+    if (room->solver.start == START_REST) {
+        memset(body->v, 0, (size_t)body->count * sizeof *body->v);
+        memset(room->v, 0, (size_t)body->count * sizeof *room->v);
+    }
+    go(body, room, 0, h);
+    if (!has_room(body)) { // it would turn inside out by itself: begin where it is
+        memset(body->v, 0, (size_t)body->count * sizeof *body->v);
+        go(body, room, 0, h);
+    }
+
+    const bool solved = solve(body, room, h, effort);
+    if (!solved)
+        put_back(body, room);
+    else
+        memcpy(body->x, room->x, (size_t)body->count * sizeof *body->x); // the drift is to come
+    return solved;
+}
+
+static double limit(double w2, double gamma) {
+    (void)w2, (void)gamma;
+    return INFINITY;
+}
+
+const Method method_newton = {
+    .name = "newton",
+    .about = "backward Euler by Newton and conjugate gradients, order 1, any step",
+    .open = open,
+    .close = close,
+    .kick = kick,
+    .limit = limit,
+};
