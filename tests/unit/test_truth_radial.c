@@ -1,0 +1,135 @@
+/// The spherical balloon in motion, against values that separate programs computed, against its
+/// energy and its breathing. Golden numbers are given to the digits they were derived to.
+#include "law.h"
+#include "lab/truth.h"
+
+/// Half a unit of the last of `digits` decimals, and rounding.
+static double last(int digits) {
+    return 0.5001 * pow(10, -digits);
+}
+
+static TruthBalloon balloon_of(const char* law) {
+    TruthBalloon balloon = truth_balloon_default();
+    balloon.law = truth_law_find(law);
+    assert_non_null(balloon.law);
+    return balloon;
+}
+
+/// A gas of the given amount at rest at l0, whose absolute pressure goes as l^(-3 exponent).
+typedef struct Gas {
+    double amount, l0, exponent;
+} Gas;
+
+static double gas_pressure(const TruthBalloon* b, const void* self, double t, double l) {
+    (void)t;
+    const Gas* gas = self;
+    const double absolute = b->ambient * gas->amount / pow(gas->l0, 3);
+    return absolute * pow(l / gas->l0, -3 * gas->exponent) - b->ambient;
+}
+
+/// A small swing is at its rest after a quarter, at its far side after a half of its period.
+static void small_swings_have_the_breathing_frequency(void** state) {
+    (void)state;
+    const TruthBalloon b = truth_balloon_default();
+    const double exponent[] = {1, 1.4, 5.0 / 3}, far = 1e-6, pi = 3.14159265358979323846;
+    for (int i = 0; i < 3; i++) {
+        const Gas gas = {2, truth_stretch_gas(&b, 2), exponent[i]};
+        const double w = truth_breath_gas(&b, 2, exponent[i]);
+        const TruthMotion from = {gas.l0 + far, 0};
+        const TruthMotion quarter = truth_radial(&b, gas_pressure, &gas, 0, from, 0, pi / (2 * w));
+        const TruthMotion half = truth_radial(&b, gas_pressure, &gas, 0, from, 0, pi / w);
+        // the next term of the swing is far^2, with a coefficient of some 10
+        assert_near((quarter.l - gas.l0) / far, 0, 2e-5);
+        assert_near((half.l - gas.l0) / far, -1, 2e-5);
+        assert_close(quarter.speed, -w * far, 2e-5);
+    }
+}
+
+static void sudden_pressure_moves_the_skin_as_computed(void** state) {
+    (void)state;
+    const TruthBalloon b = truth_balloon_default();
+    assert_near(truth_sudden(&b, 800, 0.01).l, 1.1631942982, last(10));
+    assert_near(truth_sudden(&b, 800, 0.02).l, 1.2025606445, last(10));
+    const double most = truth_sudden_most(&b, 800), period = truth_sudden_period(&b, 800);
+    assert_near(most, 1.2266611128, last(10));
+    assert_near(period, 0.0144482699, last(10));
+    // what the energy says is what the motion does
+    assert_near(truth_sudden(&b, 800, period / 2).l, most, 1e-11);
+    assert_near(truth_sudden(&b, 800, period).l, 1, 1e-11);
+    assert_near(truth_sudden(&b, 800, period).speed, 0, 1e-7);
+}
+
+static void motion_keeps_its_energy(void** state) {
+    (void)state;
+    const double p = 800;
+    for (int i = 0; i < truth_law_count; i++) {
+        const TruthBalloon b = balloon_of(truth_law_table[i].name);
+        const double inertia = b.density * b.radius * b.radius;
+        for (double t = 0; t < 0.02; t += 0.0037) {
+            const TruthMotion at = truth_sudden(&b, p, t);
+            const double work = p * b.radius * (pow(at.l, 3) - 1) / (3 * b.thickness);
+            const double kinetic = inertia * at.speed * at.speed / 2;
+            assert_near(kinetic + b.law->energy(&b, at.l) - work, 0, 1e-9 * (1 + work));
+        }
+        assert_close(truth_sudden(&b, p, truth_sudden_period(&b, p) / 2).l,
+                     truth_sudden_most(&b, p), 1e-10);
+    }
+}
+
+static void a_large_step_of_pressure_runs_away(void** state) {
+    (void)state;
+    const TruthBalloon b = truth_balloon_default();
+    const double limit = truth_sudden_limit(&b);
+    assert_near(limit, 1112.130006, last(6));
+    assert_true(isfinite(truth_sudden_most(&b, limit - 1e-6)));
+    assert_true(isinf(truth_sudden_most(&b, limit + 1e-6)));
+    assert_true(isinf(truth_sudden_period(&b, limit + 1)));
+    assert_less(2, truth_sudden(&b, limit + 1, 0.05).l);
+    assert_less(truth_sudden(&b, limit - 1, 0.05).l, truth_sudden_most(&b, limit - 1) + 1e-9);
+    assert_true(isinf(truth_sudden(&b, 5000, 1).l));
+    // just below the limit it lingers at its furthest stretch, but is never taken for run away
+    for (double t = 0.01; t < 1; t *= 2)
+        assert_less(truth_sudden(&b, 1112, t).l, truth_sudden_most(&b, 1112) + 1e-9);
+    const TruthBalloon stvk = balloon_of("stvk");
+    assert_true(isinf(truth_sudden_limit(&stvk)));
+}
+
+static void slow_filling_moves_the_skin_as_computed(void** state) {
+    (void)state;
+    const TruthBalloon b = truth_balloon_default();
+    assert_near(truth_filling(&b, 0.5, 0.01, 50, 0.01).l, 1.1377342335, last(10));
+    assert_near(truth_filling(&b, 0.5, 0.01, 50, 0.02).l, 1.1444731146, last(10));
+    assert_near(truth_filling(&b, 0.5, 0.01, 50, 0).l, 1, 0);
+    // damping brings it to where the gas rests: e^(-25 * 1.5) is 5e-17
+    assert_close(truth_filling(&b, 0.5, 0.01, 50, 1.5).l, truth_stretch_gas(&b, 1.5), 1e-10);
+}
+
+/// What `euler` makes of the same motion: the errors to expect of a run, of order 1.
+static void euler_errors_of_the_sudden_pressure(void** state) {
+    (void)state;
+    const double want[] = {1.93e-2, 8.43e-3, 3.88e-3, 1.85e-3, 9.0e-4};
+    const double digit[] = {5e-5, 5e-6, 5e-6, 5e-6, 5e-6};
+    const TruthBalloon b = truth_balloon_default();
+    for (int k = 0; k < 5; k++) {
+        const double h = 1e-3 / (1 << k);
+        double l = 1, speed = 0;
+        for (int n = 0; n < 20 << k; n++) {
+            const double push = 800 * b.radius * l * l / b.thickness - b.law->stress(&b, l);
+            speed += h * push / (b.density * b.radius * b.radius);
+            l += h * speed;
+        }
+        assert_near(fabs(l - truth_sudden(&b, 800, 0.02).l), want[k], digit[k]);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(small_swings_have_the_breathing_frequency),
+        cmocka_unit_test(sudden_pressure_moves_the_skin_as_computed),
+        cmocka_unit_test(motion_keeps_its_energy),
+        cmocka_unit_test(a_large_step_of_pressure_runs_away),
+        cmocka_unit_test(slow_filling_moves_the_skin_as_computed),
+        cmocka_unit_test(euler_errors_of_the_sudden_pressure),
+    };
+    return cmocka_run_group_tests_name("truth_radial", tests, NULL, NULL);
+}
