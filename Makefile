@@ -32,7 +32,7 @@ CPPFLAGS := -Isrc -D_POSIX_C_SOURCE=200809L -MMD -MP
 # libraries' headers are not ours to warn about
 includes  = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I imgui bullet 2>/dev/null))
 # Bullet is one library for each precision; they do not mix
-bullet_float  = -lBulletDynamics -lBulletCollision -lLinearMath
+bullet_float  = -lBulletSoftBody -lBulletDynamics -lBulletCollision -lLinearMath
 bullet_double = $(addsuffix -float64,$(bullet_float))
 libraries = -lassimp -lcyaml -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -lm -ldl -lpthread
 

@@ -32,9 +32,11 @@ real4 higher(real4 a, real4 b) {
     return a > b ? a : b;
 }
 
-bool overlap(const Box& a, const Box& b) {
-    return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
-           b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
+/// Whether some of a box is within reach of a point.
+bool within(const Box& box, real4 point, real reach) {
+    const real4 nothing = {0, 0, 0, 0};
+    const real4 away = higher(higher(box.low - point, point - box.high), nothing);
+    return dot(away, away) <= reach * reach;
 }
 
 /// The box of some of the particles: the one hot loop of a refit. In the 16 bytes that every
@@ -86,8 +88,8 @@ class Patches : public btConcaveShape {
         return whole;
     }
 
-    /// The reach of the question that is being asked, and who gets the triangles that Bullet
-    /// cannot measure.
+    /// The question that is being asked, and who gets the triangles that Bullet cannot measure.
+    real4 center = {0, 0, 0, 0};
     real reach = 0;
     std::vector<int>* unmeasured = nullptr;
 
@@ -126,7 +128,7 @@ class Patches : public btConcaveShape {
 
     void sort_by_place(const int (*triangle)[3], int triangle_count, int point_count);
     bool measurable(const real4 corner[3]) const;
-    void process(const Corners& each, const Box& asked, btTriangleCallback* callback) const;
+    void process(const Corners& each, btTriangleCallback* callback) const;
 };
 
 struct BulletSkin {
@@ -197,11 +199,11 @@ bool Patches::measurable(const real4 corner[3]) const {
            NORMAL_ROUNDINGS * REAL_EPSILON * edge2 * size < (real)(SLACK / 2) * reach * area;
 }
 
-void Patches::process(const Corners& each, const Box& asked, btTriangleCallback* callback) const {
+void Patches::process(const Corners& each, btTriangleCallback* callback) const {
     const real4 corner[3] = {x[each.point[0]], x[each.point[1]], x[each.point[2]]};
     const Box box = {lower(lower(corner[0], corner[1]), corner[2]),
                      higher(higher(corner[0], corner[1]), corner[2])};
-    if (!overlap(box, asked))
+    if (!within(box, center, reach))
         return;
     if (!measurable(corner)) {
         unmeasured->push_back(each.number);
@@ -213,15 +215,15 @@ void Patches::process(const Corners& each, const Box& asked, btTriangleCallback*
     callback->processTriangle(vertex, 0, each.number);
 }
 
-void Patches::processAllTriangles(btTriangleCallback* callback, const btVector3& low,
-                                  const btVector3& high) const {
-    const Box asked = {{low.x(), low.y(), low.z(), 0}, {high.x(), high.y(), high.z(), 0}};
+void Patches::processAllTriangles(btTriangleCallback* callback, const btVector3& /*low*/,
+                                  const btVector3& /*high*/) const {
+    // Bullet asks for the ball's box; the ball is less than that
     for (size_t p = 0; p < patch_box.size(); p++) {
-        if (!overlap(patch_box[p], asked))
+        if (!within(patch_box[p], center, reach))
             continue;
         const size_t end = std::min((p + 1) * PATCH, corners.size());
         for (size_t i = p * PATCH; i < end; i++)
-            process(corners[i], asked, callback);
+            process(corners[i], callback);
     }
 }
 
@@ -270,11 +272,11 @@ int bullet_skin_near(Bullet* bullet, BulletSkin* skin, const double center[3], d
     const real asked = (real)(reach * (1 + SLACK) + 4 * REAL_EPSILON * (far + reach));
     const btVector3 place((btScalar)center[0], (btScalar)center[1], (btScalar)center[2]);
     const real4 at = {place.x(), place.y(), place.z(), 0};
-    const real4 around = {asked, asked, asked, 0};
-    if (!overlap(skin->patches.box(), {at - around, at + around}))
+    if (!within(skin->patches.box(), at, asked))
         return 0;
 
     bullet->found.clear();
+    skin->patches.center = at;
     skin->patches.reach = asked;
     skin->patches.unmeasured = &bullet->found;
     bullet->probe_shape.setUnscaledRadius(asked);

@@ -247,10 +247,13 @@ static double allowed(const Collide* collide, double h) {
     return h;
 }
 
-static void stop_on_planes(Collide* collide, double h) {
+/// Whether there was anything to stop.
+static bool stop_on_planes(Collide* collide, double h) {
+    bool any = false;
     for (int b = 0; b < collide->skin_count; b++)
         for (int k = 0; k < collide->plane_count; k++)
-            plane_stop(collide->skin[b].body, &collide->plane[k], h);
+            any |= plane_stop(collide->skin[b].body, &collide->plane[k], h);
+    return any;
 }
 
 /// Contacts of balls and skins. Skins that are pressed on a plane hand the ball's push on to it,
@@ -260,9 +263,8 @@ static void solve(Collide* collide, double h) {
     for (int round = 0; round < ROUNDS_WITH_PLANES; round++) {
         const ContactReport report = contact_solve(collide->contact, collide->contact_count, h);
         first = round == 0 ? report.moved : first;
-        if (collide->plane_count == 0 || report.moved <= little * first)
+        if (report.moved <= little * first || !stop_on_planes(collide, h))
             return;
-        stop_on_planes(collide, h);
     }
 }
 

@@ -116,6 +116,8 @@ static real improve(Contact* c, real h, real scale, bool rough, ContactReport* r
     const real4 met = contact_approach(c);
     const real push = real_max(0, c->push - (dot(c->normal, met) - floor) / c->compliance);
     const real more = push - c->push;
+    if (push <= 0 && more >= 0) // it stays apart, as most of a list do, and cannot rub
+        return 0;
     c->push = push;
     apply(c, more * c->normal);
     book(report, more * c->normal, met, c->compliance);

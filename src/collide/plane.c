@@ -4,9 +4,10 @@ static const real friction = (real)0.8; ///< [1] rubber on a dry floor
 static const real way_out = (real)0.2;  ///< [1] part of a depth that a drift may undo
 static const real way_rate = 20; ///< [1/s] and part in a second, so that short drifts do not kick
 
-void plane_stop(Body* body, const Plane* plane, double step) {
+bool plane_stop(Body* body, const Plane* plane, double step) {
     const real h = (real)step;
     const real4 n = to_real4(plane->normal), point = to_real4(plane->point);
+    bool any = false;
     for (int i = 0; i < body->count; i++) {
         const real gap = dot(n, body->x[i] - point);
         const real along = dot(n, body->v[i]);
@@ -18,5 +19,7 @@ void plane_stop(Body* body, const Plane* plane, double step) {
         const real speed = length(slide);
         const real kept = speed > friction * stop ? 1 - friction * stop / speed : 0;
         body->v[i] = (along + stop) * n + kept * slide;
+        any = true;
     }
+    return any;
 }

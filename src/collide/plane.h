@@ -11,7 +11,7 @@ typedef struct Plane {
 } Plane;
 
 /// Change velocities so that no particle ends a drift of length h behind the plane. Inelastic; each
-/// particle for itself, so in closed form.
-void plane_stop(Body* body, const Plane* plane, double h);
+/// particle for itself, so in closed form. Whether any had to stop.
+bool plane_stop(Body* body, const Plane* plane, double h);
 
 #endif

@@ -4,8 +4,23 @@
 
 enum { ROUNDS_MOST = 32 };
 static const double shortest = 1e-9; ///< [s] of a drift
+static const double rounding = 1e-2; ///< [radii] more than the distance to a triangle is off by
+
+/// Seen from the ball no point of the triangle goes further than its fastest corner: one that is
+/// further away than that needs no sweep.
+static bool out_of_way(const Contact* c, double h) {
+    const double away = dlength(to_double4(c->arm)) - rounding * (double)c->sphere->radius;
+    double fastest2 = 0;
+    for (int k = 0; k < 3; k++) {
+        const double4 v = to_double4(c->sphere->v) - to_double4(c->body->v[c->particle[k]]);
+        fastest2 = fmax(fastest2, ddot(v, v));
+    }
+    return away > 0 && h * h * fastest2 < away * away;
+}
 
 bool sweep_passes(const Contact* c, double h) {
+    if (out_of_way(c, h))
+        return false;
     double4 a[3], da[3];
     for (int k = 0; k < 3; k++) {
         a[k] = to_double4(c->body->x[c->particle[k]]);

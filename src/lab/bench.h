@@ -14,6 +14,7 @@ typedef struct BenchCase {
 } BenchCase;
 
 extern const BenchCase bench_contacts;
+extern const BenchCase bench_contact_cost;
 
 extern const BenchCase* const bench_table[];
 extern const int bench_count;

@@ -1,0 +1,217 @@
+/// What contacts cost: a balloon of some 20,000 triangles is blown up between heavy balls that stay
+/// where they are, so that each presses on the skin for as long as anyone likes. The balls weigh a
+/// thousand times the balloon; to the solver any ball that outweighs the patch it touches is as
+/// hard. Beside it, in the same run, Bullet's own soft body between the same balls.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "base/memory.h"
+#include "lab/bench.h"
+#include "lab/peer_world.h"
+
+/// How far the balls are from the skin at rest, in radii of the balloon.
+static const struct {
+    const char* name;
+    int spheres;
+    double away;
+    double wanted; ///< at most, contacts alone [ms a step]
+} case_table[] = {
+    {"no ball", 0, 0, 0},         {"4 far away", 4, 3, 0.05},   {"16 far away", 16, 3, 0.05},
+    {"4 touching", 4, 0, 0.5}, {"16 touching", 16, 0, 2},
+};
+
+enum { CASES = sizeof case_table / sizeof *case_table, SETS = 7 };
+
+static const double step_length = 1e-3;   ///< [s]
+static const double ball_radius = 0.2;    ///< [m], the balloon's is 1
+static const double balls_to_skin = 1000; ///< mass of a ball [balloon masses]
+static const int peer_rounds = 1;         ///< over the links: Bullet's own, and the cheapest
+
+/// Of a full and of a quick run.
+static const struct {
+    int side; ///< quads a side of the cube-sphere: 41 give 20,172 triangles
+    int settle, timed, peer_settle, peer_timed; ///< steps
+} size_table[] = {{41, 1500, 200, 300, 50}, {12, 1500, 20, 300, 10}};
+
+/// One case's times [ms a step] and contacts.
+typedef struct Cost {
+    double step_median;
+    double contacts_min, contacts_median; ///< time of contacts alone; of the peer: of all the step
+    int touching;                         ///< balls that touched, in the step where fewest did
+    int contacts;                         ///< in the last step
+} Cost;
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+}
+
+static int rising(const void* a, const void* b) {
+    const double x = *(const double*)a, y = *(const double*)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double* time, int count) {
+    qsort(time, (size_t)count, sizeof *time, rising);
+    return time[count / 2];
+}
+
+/// Spread evenly over a sphere: one after the other along a spiral from pole to pole, each turned
+/// by the golden angle.
+static double4 direction(int k, int count) {
+    const double height = 1 - (2 * k + 1.0) / count, turn = 2.399963229728653 * k;
+    const double width = sqrt(1 - height * height);
+    return (double4){width * cos(turn), height, width * sin(turn), 0};
+}
+
+static bool open_case(int c, int side, World* world, Fault* fault) {
+    char model[64], step[64];
+    snprintf(model, sizeof model, "cube-sphere:%d", side);
+    snprintf(step, sizeof step, "step=%.17g", step_length);
+    const SceneSet set[SETS] = {{step},
+                                {"gravity=0"},
+                                {"spheres=[]"},
+                                {"balloons.0.strings=[]"},
+                                {"balloons.0.helium={base: 0}"},
+                                {"balloons.0.damping={rate: 10}"},
+                                {"balloons.0.inflation={law: area, amount: 6}"}};
+    WorldDef def;
+    if (!scene_load(model, set, SETS, &def, fault) || !world_open(world, &def, fault))
+        return false;
+    const Body* body = &world->balloon[0].body;
+    for (int k = 0; k < case_table[c].spheres; k++) {
+        const double away = 1 + ball_radius + case_table[c].away;
+        collide_add(&world->collide,
+                    &(Sphere){.x = to_real4(away * direction(k, case_table[c].spheres)),
+                              .radius = (real)ball_radius,
+                              .mass = (real)balls_to_skin * body->mass[0] * (real)body->count,
+                              .restitution = (real)0.5,
+                              .friction = (real)0.3});
+    }
+    return true;
+}
+
+/// world_step's parts, with the time of contacts apart from the rest [ms].
+static double timed_step(World* world) {
+    Body* body = &world->balloon[0].body;
+    double contacts = 0;
+    for (double h = world->step; h > 0;) {
+        double start = now();
+        const double pace = collide_pace(&world->collide, h);
+        contacts += now() - start;
+
+        world->method->kick(body, pace);
+
+        start = now();
+        const double drift = collide_velocities(&world->collide, pace);
+        collide_drift(&world->collide, drift);
+        contacts += now() - start;
+
+        body_drift(body, drift);
+        h -= drift;
+    }
+    return contacts;
+}
+
+static int count_touching(const Collide* collide, int* contacts) {
+    int touching = 0;
+    *contacts = 0;
+    for (int s = 0; s < collide->sphere_count; s++) {
+        int pushed = 0;
+        for (int k = 0; k < collide->contact_count; k++)
+            pushed +=
+                collide->contact[k].sphere == &collide->sphere[s] && collide->contact[k].push > 0;
+        touching += pushed > 0;
+        *contacts += pushed;
+    }
+    return touching;
+}
+
+static bool time_ours(int c, int quick, Cost* cost, Fault* fault) {
+    World world;
+    if (!open_case(c, size_table[quick].side, &world, fault))
+        return false;
+    for (int n = 0; n < size_table[quick].settle; n++)
+        timed_step(&world);
+
+    const int timed = size_table[quick].timed;
+    double *step = new_array(double, timed), *contacts = new_array(double, timed);
+    *cost = (Cost){.touching = case_table[c].spheres};
+    for (int n = 0; n < timed; n++) {
+        const double start = now();
+        contacts[n] = timed_step(&world);
+        step[n] = now() - start;
+        const int touching = count_touching(&world.collide, &cost->contacts);
+        cost->touching = touching < cost->touching ? touching : cost->touching;
+    }
+    cost->step_median = median(step, timed);
+    cost->contacts_median = median(contacts, timed);
+    cost->contacts_min = contacts[0];
+    free(step);
+    free(contacts);
+    world_close(&world);
+    return true;
+}
+
+static bool time_peer(int c, int quick, Cost* cost, Fault* fault) {
+    World world;
+    if (!open_case(c, size_table[quick].side, &world, fault))
+        return false;
+    Peer* peer = peer_of_world(&world, peer_rounds);
+    world_close(&world);
+    for (int n = 0; n < size_table[quick].peer_settle; n++)
+        peer_step(peer, step_length);
+
+    const int timed = size_table[quick].peer_timed;
+    double* step = new_array(double, timed);
+    *cost = (Cost){.touching = case_table[c].spheres};
+    for (int n = 0; n < timed; n++) {
+        const double start = now();
+        peer_step(peer, step_length);
+        step[n] = now() - start;
+        int touching = 0;
+        cost->contacts = 0;
+        for (int s = 0; s < case_table[c].spheres; s++) {
+            const int points = peer_contacts(peer, s);
+            touching += points > 0;
+            cost->contacts += points;
+        }
+        cost->touching = touching < cost->touching ? touching : cost->touching;
+    }
+    cost->step_median = median(step, timed);
+    cost->contacts_min = step[0];
+    free(step);
+    peer_close(peer);
+    return true;
+}
+
+static bool run(bool quick, Fault* fault) {
+    const int side = size_table[quick].side;
+    printf("%d triangles, step %g s; CPU time in ms a step\n", 12 * side * side, step_length);
+    printf("%-12s | %8s %8s %8s %17s %6s | %30s\n", "", "", "", "all of", "contacts alone", "", "");
+    printf("%-12s | %8s %8s %8s %8s %8s %6s | %8s %8s %8s %8s\n", "balls", "touching", "contacts",
+           "a step", "least", "median", "wanted", "Bullet's", "contacts", "a step", "beyond");
+    Cost none = {0};
+    for (int c = 0; c < CASES; c++) {
+        Cost ours, peer;
+        if (!time_ours(c, quick, &ours, fault) || !time_peer(c, quick, &peer, fault))
+            return false;
+        if (c == 0)
+            none = peer;
+        printf("%-12s | %8d %8d %8.3f %8.4f %8.4f %6g | %8d %8d %8.3f %8.3f\n", case_table[c].name,
+               ours.touching, ours.contacts, ours.step_median, ours.contacts_min,
+               ours.contacts_median, case_table[c].wanted, peer.touching, peer.contacts,
+               peer.step_median, peer.step_median - none.step_median);
+        fflush(stdout);
+    }
+    return true;
+}
+
+const BenchCase bench_contact_cost = {
+    .name = "contact-cost",
+    .about = "time of contacts in a step, beside Bullet's own soft body",
+    .run = run,
+};

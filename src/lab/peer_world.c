@@ -1,0 +1,55 @@
+#include "lab/peer_world.h"
+
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "world/probe.h"
+
+/// p V times by how much Bullet's pressure force on the skin's points falls short of p dV/dx: it
+/// takes the mean area of the faces around a point, not a third of their sum.
+static double pressure_of(const World* world) {
+    const Mesh* mesh = &world->balloon[0].mesh;
+    double pressure = 0, volume = 0;
+    if (!probe_value(world, "balloon0.gauge_pressure", &pressure) ||
+        !probe_value(world, "balloon0.volume", &volume))
+        return 0;
+    const double faces = 3.0 * mesh->triangle_count / mesh->point_count; // at a point
+    return pressure * volume * faces / 3;
+}
+
+/// Radius of the largest circle that lies between the points of a right triangle.
+static double widest_gap(const Body* body) {
+    double longest = 0;
+    for (int t = 0; t < body->mesh->triangle_count; t++) {
+        const int* corner = body->mesh->triangle[t];
+        for (int k = 0; k < 3; k++)
+            longest =
+                fmax(longest, (double)length(body->x[corner[k]] - body->x[corner[(k + 1) % 3]]));
+    }
+    return longest / 2;
+}
+
+Peer* peer_of_world(const World* world, int position_rounds) {
+    const Body* body = &world->balloon[0].body;
+    double4* point = new_array(double4, body->count);
+    PeerDef def = peer_def_default();
+    def.mass = 0;
+    for (int i = 0; i < body->count; i++) {
+        point[i] = to_double4(body->x[i]);
+        def.mass += (double)body->mass[i];
+    }
+    def.point_count = body->count;
+    def.point = point;
+    def.triangle_count = body->mesh->triangle_count;
+    def.triangle = (const int(*)[3])body->mesh->triangle;
+    def.pressure = pressure_of(world);
+    def.damping = fmin(1, body_drag(body, 0) / (double)body->mass[0] * world->step);
+    def.position_rounds = position_rounds;
+    def.margin = widest_gap(body);
+    def.gravity = world->collide.gravity;
+    Peer* peer = peer_open(&def);
+    for (int s = 0; s < world->collide.sphere_count; s++)
+        peer_add_sphere(peer, &world->collide.sphere[s]);
+    free(point);
+    return peer;
+}
