@@ -119,24 +119,25 @@ static real improve(Contact* c, real h, real scale, bool rough, ContactReport* r
     if (push <= 0 && more >= 0) // it stays apart, as most of a list do, and cannot rub
         return 0;
     c->push = push;
-    apply(c, more * c->normal);
-    book(report, more * c->normal, met, c->compliance);
-    const real change = (more < 0 ? -more : more) * c->compliance;
-    if (!rough || c->sphere->friction <= 0)
-        return change;
+    real4 impulse = more * c->normal;
+    real change = (more < 0 ? -more : more) * c->compliance;
+    book(report, impulse, met, c->compliance);
 
-    // against the sliding, within Coulomb's cone
-    const real4 u = contact_approach(c);
-    const real4 slide = u - dot(c->normal, u) * c->normal;
-    real4 rub = c->rub - slide / c->slide;
-    const real size = length(rub), most = c->sphere->friction * c->push;
-    if (size > most)
-        rub *= most / size;
-    const real4 step = rub - c->rub;
-    c->rub = rub;
-    apply(c, step);
-    book(report, step, slide, c->slide);
-    return real_max(change, length(step) * c->slide);
+    // against the sliding, which a push along n leaves as it was, within Coulomb's cone
+    if (rough && c->sphere->friction > 0) {
+        const real4 slide = met - dot(c->normal, met) * c->normal;
+        real4 rub = c->rub - slide / c->slide;
+        const real size = length(rub), most = c->sphere->friction * push;
+        if (size > most)
+            rub *= most / size;
+        const real4 step = rub - c->rub;
+        c->rub = rub;
+        impulse += step;
+        change = real_max(change, length(step) * c->slide);
+        book(report, step, slide, c->slide);
+    }
+    apply(c, impulse);
+    return change;
 }
 
 /// Sweeps until nothing changes any more.

@@ -11,6 +11,8 @@ bool plane_stop(Body* body, const Plane* plane, double step) {
     for (int i = 0; i < body->count; i++) {
         const real gap = dot(n, body->x[i] - point);
         const real along = dot(n, body->v[i]);
+        if (gap > 0 && gap > -2 * along * h) // the most are far away, and need no division
+            continue;
         const real stop = (gap > 0 ? -gap / h : -real_min(way_out / h, way_rate) * gap) - along;
         if (stop <= 0 || body->inverse_mass[i] <= 0)
             continue;

@@ -1,11 +1,15 @@
 /// The matrix of throws: a ball of any speed, size and mass at a free balloon of radius 1, from any
-/// side, on coarse and fine meshes, at coarse and fine steps. Nothing may pass through.
+/// side, on coarse and fine meshes, at coarse and fine steps. Nothing may pass through. Beside it
+/// some of the same throws at Bullet's own soft body, judged by the same sweep.
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <time.h>
 
+#include "base/memory.h"
+#include "collide/cross.h"
 #include "lab/bench.h"
-#include "world/world.h"
+#include "lab/peer_world.h"
 
 static const double speed_table[] = {1, 5, 10, 20, 50, 100, 200}; ///< [m/s]
 static const double radius_table[] = {0.02, 0.05, 0.2, 0.5};      ///< [m], the balloon's is 1
@@ -30,7 +34,11 @@ enum {
     MASSES = sizeof mass_table / sizeof *mass_table,
     SIDES = sizeof side_table / sizeof *side_table,
     WAYS = sizeof way_table / sizeof *way_table,
-    SETS = 7
+    SETS = 7,
+    THROWS = SPEEDS * RADII * RATES * MASSES * WAYS,
+    QUICK = 37,      ///< one throw in so many; shares no factor with the tables' lengths
+    PEER = 11,       ///< the same for Bullet's
+    PEER_ROUNDS = 10 ///< over the links: ten times Bullet's own, in its favour
 };
 
 typedef struct Throw {
@@ -44,6 +52,7 @@ typedef struct Sum {
     int bad; ///< states that blew up
     long pass_throughs;
     double seconds; ///< CPU time [s]
+    int peer_throws, peer_through;
 } Sum;
 
 static bool open_throw(const Throw* t, World* world, Fault* fault) {
@@ -73,13 +82,63 @@ static bool open_throw(const Throw* t, World* world, Fault* fault) {
     return scene_load(model, set, SETS, &def, fault) && world_open(world, &def, fault);
 }
 
+/// Whether the path of the ball's centre goes through a triangle in a step from `before` to
+/// `after`, which hold the points and behind them the ball.
+static bool passes(const Mesh* mesh, const double4* before, const double4* after) {
+    const int ball = mesh->point_count;
+    for (int t = 0; t < mesh->triangle_count; t++) {
+        double4 a[3], da[3];
+        for (int k = 0; k < 3; k++) {
+            const int i = mesh->triangle[t][k];
+            a[k] = before[i];
+            da[k] = after[i] - before[i];
+        }
+        double turn;
+        if (cross_time(before[ball], after[ball] - before[ball], a, da, &turn) <= 1)
+            return true;
+    }
+    return false;
+}
+
+static void read_all(const Peer* peer, int points, double4* x) {
+    double4 v;
+    peer_read(peer, x, NULL);
+    peer_read_sphere(peer, 0, &x[points], &v);
+}
+
+/// The throw that a world begins with, at Bullet's soft body.
+static bool peer_lets_through(const World* world, long steps) {
+    const Mesh* mesh = &world->balloon[0].mesh;
+    const int points = mesh->point_count;
+    double4 *before = new_array(double4, points + 1), *after = new_array(double4, points + 1);
+    Peer* peer = peer_of_world(world, PEER_ROUNDS);
+    read_all(peer, points, after);
+    bool through = false;
+    for (long n = 0; n < steps && !through; n++) {
+        double4* last = before;
+        before = after;
+        after = last;
+        peer_step(peer, world->step);
+        read_all(peer, points, after);
+        through = passes(mesh, before, after);
+    }
+    peer_close(peer);
+    free(before);
+    free(after);
+    return through;
+}
+
 /// Long enough for the ball to go through, from one side to the other.
-static bool throw(const Throw* t, Sum* sum, Fault* fault) {
+static bool throw(const Throw* t, bool with_peer, Sum* sum, Fault* fault) {
     World world;
     if (!open_throw(t, &world, fault))
         return false;
-    const clock_t start = clock();
     const long steps = lround(fmin(1, 4 / t->speed + 0.1) * t->rate);
+    if (with_peer) {
+        sum->peer_throws++;
+        sum->peer_through += peer_lets_through(&world, steps);
+    }
+    const clock_t start = clock();
     for (long n = 0; n < steps && !world.blowup.halted; n++)
         world_step(&world);
     sum->seconds += (double)(clock() - start) / CLOCKS_PER_SEC;
@@ -95,8 +154,8 @@ static bool throw(const Throw* t, Sum* sum, Fault* fault) {
 
 /// The throws on one mesh: all of them, or one in each row of the matrix in turn.
 static bool throw_all(int side, bool quick, Sum* sum, Fault* fault) {
-    for (int n = 0; n < SPEEDS * RADII * RATES * MASSES * WAYS; n++) {
-        if (quick && n % 37 != 0) // shares no factor with the table's lengths
+    for (int n = 0; n < THROWS; n++) {
+        if (quick && n % QUICK != 0)
             continue;
         const Throw t = {.speed = speed_table[n % SPEEDS],
                          .radius = radius_table[n / SPEEDS % RADII],
@@ -104,7 +163,7 @@ static bool throw_all(int side, bool quick, Sum* sum, Fault* fault) {
                          .mass = mass_table[n / SPEEDS / RADII / RATES % MASSES],
                          .way = n / SPEEDS / RADII / RATES / MASSES,
                          .side = side};
-        if (!throw(&t, sum, fault))
+        if (!throw(&t, quick || n % PEER == 0, sum, fault))
             return false;
     }
     return true;
@@ -113,14 +172,15 @@ static bool throw_all(int side, bool quick, Sum* sum, Fault* fault) {
 static bool run(bool quick, Fault* fault) {
     long through = 0;
     int bad = 0;
-    printf("%8s %8s %14s %12s %16s\n", "quads", "throws", "pass-throughs", "went bad",
-           "ms a throw");
+    printf("%8s %8s %14s %12s %16s %24s\n", "quads", "throws", "pass-throughs", "went bad",
+           "ms a throw", "through Bullet's skin");
     for (int k = 0; k < (quick ? 1 : SIDES); k++) {
         Sum sum = {0};
         if (!throw_all(side_table[k], quick, &sum, fault))
             return false;
-        printf("%8d %8d %14ld %12d %16.1f\n", 6 * side_table[k] * side_table[k], sum.throws,
-               sum.pass_throughs, sum.bad, 1e3 * sum.seconds / sum.throws);
+        printf("%8d %8d %14ld %12d %16.1f %17d of %3d\n", 6 * side_table[k] * side_table[k],
+               sum.throws, sum.pass_throughs, sum.bad, 1e3 * sum.seconds / sum.throws,
+               sum.peer_through, sum.peer_throws);
         fflush(stdout);
         through += sum.pass_throughs;
         bad += sum.bad;

@@ -81,7 +81,8 @@ ok "list names every scene" test "$("$balloon" list | grep -c -E "$(ls -1 assets
 ok "help walks the keys" grep -q "inflate while held" <("$balloon" --help)
 ok "version says the precision" grep -q double <("$double" --version)
 
-ok "a bench counts what passes through" grep -qE "^ +384 +1[0-9] +0 +0 " <("$balloon" bench contacts --quick)
+ok "a bench counts what passes through" grep -qE "^ +384 +1[0-9] +0 +0 .* of +1[0-9]$" <("$balloon" bench contacts --quick)
+ok "a bench times what contacts cost" grep -qE "^16 touching +\| +16 " <("$balloon" bench contact-cost --quick)
 bad "no such bench" "$balloon" bench nothing
 
 # --- an install
