@@ -103,7 +103,7 @@ static double timed_step(World* world) {
         const double pace = collide_pace(&world->collide, h);
         contacts += now() - start;
 
-        world->method->kick(body, pace);
+        world->method->kick(body, world->balloon[0].room, pace, &world->balloon[0].effort);
 
         start = now();
         const double drift = collide_velocities(&world->collide, pace);

@@ -22,10 +22,11 @@
 
 static const Solver usual = {.iterations = 50, .tolerance = 1e-6, .linear_tolerance = 1e-2};
 
-/// Float cannot bring the residual below the rounding of the forces that cancel in it. [1]
-static const double float_floor = 2e-6;
+enum { PRODUCTS_MOST = 2000, HALVINGS_MOST = 40 };
 
-enum { PRODUCTS_MOST = 2000, HALVINGS_MOST = 12 };
+/// No particle goes farther in one iteration, for the tangent knows nothing of what is there. [of
+/// the body's size]
+static const double farthest = 0.1;
 
 typedef struct Room {
     Solver solver;
@@ -62,8 +63,6 @@ static void* open(Body* body, const Solver* solver) {
         room->solver.tolerance = usual.tolerance;
     if (room->solver.linear_tolerance == 0)
         room->solver.linear_tolerance = usual.linear_tolerance;
-    if (sizeof(real) == sizeof(float) && room->solver.tolerance > 0)
-        room->solver.tolerance = fmax(room->solver.tolerance, float_floor);
     return room;
 }
 
@@ -157,19 +156,29 @@ static Block inverse_of(const Block* block) {
     return (Block){{bc / det, ca / det, ab / det}};
 }
 
-static void ready_preconditioner(const Body* body, Room* room, double h) {
+/// Returns the rounding of R: no position is finer than its last bit, and K turns that into force;
+/// nor is a velocity.
+static double ready_preconditioner(const Body* body, Room* room, double h) {
+    double noise = 0;
     Block* block = room->inverse;
     memset(block, 0, (size_t)body->count * sizeof *block);
     for (int k = 0; k < force_count; k++)
         if (force_table[k]->diagonal && force_table[k]->present(body))
             force_table[k]->diagonal(body, block);
     for (int i = 0; i < body->count; i++) {
+        const double stiff =
+            (double)(block[i].column[0][0] + block[i].column[1][1] + block[i].column[2][2]);
+        const double force = h * stiff * (double)(REAL_EPSILON * length(body->x[i]));
+        noise += (double)body->inverse_mass[i] * force * force;
+        noise += (double)(body->mass[i] * dot(body->v[i], body->v[i])) *
+                 (double)(REAL_EPSILON * REAL_EPSILON);
         for (int c = 0; c < 3; c++) {
             block[i].column[c] *= (real)(h * h);
             block[i].column[c][c] += body->mass[i] + (real)(h * body_drag(body, i));
         }
         block[i] = inverse_of(&block[i]);
     }
+    return sqrt(noise);
 }
 
 /// ready = preconditioner times left; returns left . ready.
@@ -226,10 +235,18 @@ static bool has_room(const Body* body) {
     return body->inflation.law != INFLATE_GAS || measure_volume(body->mesh, body->x) > 0;
 }
 
+/// The part of dv that is not too far.
+static double first_part(const Body* body, const Room* room, double h) {
+    double most = 0;
+    for (int i = 0; i < body->count; i++)
+        most = fmax(most, (double)dot(room->change[i], room->change[i]));
+    return fmin(1, farthest * body->size / (h * sqrt(most)));
+}
+
 /// Take dv, or as much of it as makes things better. Returns the residual's new size, or less than
 /// 0 where no part of dv does.
 static double take(Body* body, Room* room, double before, double h) {
-    double potential_before = NAN, taken = 0, part = 1;
+    double potential_before = NAN, taken = 0, part = first_part(body, room, h);
     for (int halving = 0; halving < HALVINGS_MOST; halving++, part /= 2) {
         if (halving == 1) { // the first part was not good: what was it worth before?
             go(body, room, -taken, h);
@@ -257,12 +274,16 @@ static bool solve(Body* body, Room* room, double h, Effort* effort) {
     const bool counted = solver->tolerance < 0;
     double size = residual(body, room, h);
     const double scale = fmax(size, measure_of(body, h));
-    while (effort->iterations < solver->iterations &&
-           (counted || size > solver->tolerance * scale)) {
+    double enough = counted ? -1 : solver->tolerance * scale;
+    while (effort->iterations < solver->iterations && size > enough) {
         for (int k = 0; k < force_count; k++)
             if (force_table[k]->stiffen && force_table[k]->present(body))
                 force_table[k]->stiffen(body, true);
-        ready_preconditioner(body, room, h);
+        const double noise = ready_preconditioner(body, room, h);
+        if (!counted)
+            enough = fmax(enough, noise);
+        if (size <= enough)
+            break;
         solve_linear(body, room, h, effort);
         size = take(body, room, size, h);
         effort->iterations++;
@@ -270,7 +291,7 @@ static bool solve(Body* body, Room* room, double h, Effort* effort) {
             return false;
     }
     effort->residual = scale > 0 ? size / scale : 0;
-    return counted || size <= solver->tolerance * scale;
+    return counted || size <= enough;
 }
 
 static bool kick(Body* body, void* self, double h, Effort* effort) {

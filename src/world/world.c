@@ -11,6 +11,9 @@
 enum { SPLITS_MOST = 1024 }; ///< of a step that a method cannot solve
 enum { PARTS_MOST = 4096 };  ///< of a step; what is left of it then is dropped: the ball waits
 
+/// What is left of a step after its parts and is no part of its own. [1]
+static const double rounding = 1e-12;
+
 /// Floor, walls, and the balls that are there from the start.
 static void open_collide(World* world) {
     const WorldDef* def = &world->def;
@@ -138,7 +141,7 @@ static int kick(World* world, double h) {
 /// whole: kick, correction and contacts have their say on the velocities, then everything drifts.
 static void advance(World* world, double h) {
     const double whole = h, shortest = h / SPLITS_MOST;
-    for (int parts = 0; h > 0 && parts < PARTS_MOST; parts++) {
+    for (int parts = 0; h > whole * rounding && parts < PARTS_MOST; parts++) {
         double pace = collide_pace(&world->collide, fmin(h, world->solvable * whole));
         for (int bad; (bad = kick(world, pace)) != NONE; pace /= 2) {
             if (pace < shortest) {
@@ -161,7 +164,7 @@ static void advance(World* world, double h) {
         h -= drift;
     }
     world->solvable = fmin(1, 2 * world->solvable);
-    if (h > 0)
+    if (h > whole * rounding)
         snprintf(world->notice, sizeof world->notice,
                  "a ball and a skin need more than %d parts of step %ld: %.3g s of it are dropped",
                  PARTS_MOST, world->step_count, h);
