@@ -11,8 +11,11 @@ sed -n '/^<!-- keys/,/^<!-- end of keys/p' README.md | grep '^      ' | sed 's/^
 "$build/balloon" --help | sed -n '/^keys$/,$p' | grep '^  ' >"$scratch/help"
 ok "the README has every key" diff "$scratch/readme" "$scratch/help"
 
-sed -n '/^```yaml$/,/^```$/p' README.md | grep -v '^```' >"$scratch/scene.yaml"
-ok "the README's scene loads and runs" "$build/balloon" run "$scratch/scene.yaml" --seconds 0.1 --quiet
+awk -v folder="$scratch" '/^```yaml$/ {n++; on = 1; next} /^```$/ {on = 0}
+    on {print > (folder "/scene" n ".yaml")}' README.md
+for scene in "$scratch"/scene*.yaml; do
+    ok "the README's $(basename "$scene") loads and runs" "$build/balloon" run "$scene" --seconds 0.1 --quiet
+done
 for folder in src/*/; do
     ok "the README names $folder" grep -q "^| $(basename "$folder") |" README.md
 done
