@@ -8,7 +8,7 @@
 ///     force on an edge                -h0 A0 F S [E1 E2]^-T                          [N]
 ///
 /// so each material is a handful of numbers, and its file makes the loops over elements from them
-/// (force/membrane_kernel.h).
+/// (force/membrane_kernel.inc).
 #ifndef BALLOON_FORCE_MATERIAL_H
 #define BALLOON_FORCE_MATERIAL_H
 

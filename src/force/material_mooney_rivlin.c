@@ -2,7 +2,7 @@
 /// Stiffens at large stretch; above C2/C1 = 0.2144 a balloon has no pressure peak. Source: R. W.
 /// Ogden, Non-linear elastic deformations, 1984.
 #include "force/material.h"
-#include "force/membrane_kernel.h"
+#include "force/membrane_kernel.inc"
 
 static inline Law law(const real k[2], real t, real I, real D) {
     (void)t;

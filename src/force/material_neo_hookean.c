@@ -2,7 +2,7 @@
 /// the pressure peak of a child's balloon; h = h0 A0/A. Source: R. W. Ogden, Non-linear elastic
 /// deformations, 1984.
 #include "force/material.h"
-#include "force/membrane_kernel.h"
+#include "force/membrane_kernel.inc"
 
 static inline Law law(const real k[2], real t, real I, real D) {
     (void)t, (void)I;

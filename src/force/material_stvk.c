@@ -2,7 +2,7 @@
 /// e = (C - 1)/2, mu = E / (2 (1 + nu)), L = E nu / (1 - nu^2). Right for small strain; a balloon
 /// of it has no pressure peak, and it has no strength in compression.
 #include "force/material.h"
-#include "force/membrane_kernel.h"
+#include "force/membrane_kernel.inc"
 
 static inline Law law(const real k[2], real t, real I, real D) {
     (void)t, (void)D;

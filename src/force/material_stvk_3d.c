@@ -3,7 +3,7 @@
 /// parameter that volume preservation sets between steps. mu = E / (2 (1 + nu)), L = E nu / ((1 +
 /// nu) (1 - 2 nu)), so nu must stay below 1/2. Source: eq. 6 and 9 of the paper.
 #include "force/material.h"
-#include "force/membrane_kernel.h"
+#include "force/membrane_kernel.inc"
 
 static inline Law law(const real k[2], real t, real I, real D) {
     (void)D;
