@@ -138,10 +138,6 @@ void body_inflate(Body* body, const Inflation* inflation) {
     body->inflation.gradient = new_array(real4, body->count);
 }
 
-void body_prepare_implicit(Body* body) {
-    body->membrane.stiffness = new_array(Stiffness, body->membrane.count);
-}
-
 void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack) {
     if (body->string_count == body->string_room) {
         body->string_room = body->string_room ? 2 * body->string_room : 4;

@@ -81,9 +81,6 @@ void body_add_membrane(Body* body, const double* thickness, const Rubber* rubber
 /// Begin to inflate: law, amount and gas from `inflation`; the first volume is the present one.
 void body_inflate(Body* body, const Inflation* inflation);
 
-/// Make room for what an implicit method needs of the forces (Force.stiffen).
-void body_prepare_implicit(Body* body);
-
 /// Tie a string of `slack` times the present distance from a particle to a fixed point.
 void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack);
 

@@ -113,6 +113,5 @@ void membrane_free(Membrane* membrane) {
     free(membrane->rest);
     free(membrane->first);
     free(membrane->thickness);
-    free(membrane->stiffness);
     *membrane = (Membrane){0};
 }

@@ -29,14 +29,6 @@ typedef enum VolumeRule {
 } VolumeRule;
 extern const char* const volume_rule_name[VOLUME_RULES];
 
-/// Second derivative of an element's energy by its two edges, as the columns of 3 x 3 blocks.
-typedef struct Stiffness {
-    real4 k11[3]; ///< e1 e1 [N/m]
-    real4 k12[3]; ///< e1 e2: column c is the derivative of the force on e1 by e2[c]
-    real4 k21[3]; ///< e2 e1, the transpose
-    real4 k22[3];
-} Stiffness;
-
 /// What a scene gives of a skin of rubber.
 typedef struct Rubber {
     const Material* material;
@@ -57,8 +49,7 @@ typedef struct Membrane {
                         ///< [m^3]
     real* first;        ///< [count] h0 [m]
     real* thickness;    ///< [count] h as the material reads it [m]
-    Stiffness* stiffness; ///< [count] of the last tangent; NULL where no method needs it
-    double volume;        ///< sum of h0 A0 [m^3]
+    double volume;      ///< sum of h0 A0 [m^3]
 } Membrane;
 
 /// Elements of the mesh at the positions x, which are at rest there.

@@ -31,7 +31,6 @@ typedef struct Springs {
     real* rest;                 ///< [count] rest length [m], greater than 0
     real* active;               ///< [count] the stiffness that acts in this step: 0 for a spring
                                 ///< that correction has put to rest, else its stiffness
-    bool project;               ///< the tangent last readied takes pressed springs as slack across
     double bound;               ///< largest (S_i/m_i + S_j/m_j) over the springs [1/s^2], S the sum
                                 ///< of attached stiffness: no mode is faster, however deformed
 } Springs;

@@ -6,11 +6,14 @@
 #define BALLOON_FORCE_FORCE_H
 
 #include "body/body.h"
+#include "force/block_matrix.h"
 
-/// A 3 x 3 block of a matrix, as columns.
-typedef struct Block {
-    real4 column[3];
-} Block;
+/// Groups of particles of which each pulls on each: elements, springs, faces.
+typedef struct Stencils {
+    int count;
+    int corners;         ///< particles in a group, 4 at most
+    const int* particle; ///< [count][corners], NONE for a corner that is not there
+} Stencils;
 
 typedef struct Force {
     const char* name;
@@ -30,17 +33,24 @@ typedef struct Force {
     /// adds no stiffness. Bounds of several forces add up (Weyl's inequality).
     double (*bound)(const Body* body);
 
-    /// Ready `product` and `diagonal` for the present positions, for implicit methods; NULL where
-    /// they read the positions themselves. `project` takes out what is not positive definite.
+    /// The tangent, for implicit methods, is K = -dF/dx at the present positions [N/m]; tangent.h
+    /// puts it together. A force that does not depend on positions has none of these.
+
+    /// Which particles pull on each other; never changes. NULL: a particle at most on itself.
+    Stencils (*stencils)(const Body* body);
+
+    /// Add factor K to the matrix, block by block: slot[s][i][j] is where the block of corners i
+    /// and j of stencil s is. `project` takes out what is not positive definite. NULL: all is in
+    /// the product.
+    void (*assemble)(const Body* body, double factor, bool project, const int* slot,
+                     BlockMatrix* matrix);
+
+    /// out += factor K d, for what of K is dense. NULL: nothing.
+    void (*product)(const Body* body, double factor, const real4* d, real4* out);
+
+    /// Ready `assemble` and `product` for the present positions; NULL where they read the positions
+    /// themselves.
     void (*stiffen)(Body* body, bool project);
-
-    /// out += K d, K = -dF/dx at the present positions [N/m]; NULL for a force that does not depend
-    /// on positions.
-    void (*product)(const Body* body, const real4* d, real4* out);
-
-    /// Add K's diagonal blocks, or what of them is positive definite: a preconditioner's. NULL:
-    /// none.
-    void (*diagonal)(const Body* body, Block* block);
 
     /// What it does to free balloons, for tests: total force and torque vanish.
     bool internal;

@@ -19,12 +19,23 @@ static double pressure_of(const Inflation* inflation, double area, double volume
     }
 }
 
-static double volume_if_gas(const Body* body) {
-    return body->inflation.law == INFLATE_GAS ? measure_volume(body->mesh, body->x) : 0;
+double inflation_pressure(const Body* body) {
+    const Inflation* inflation = &body->inflation;
+    const bool gas = inflation->law == INFLATE_GAS;
+    return pressure_of(inflation, measure_area(body->mesh, body->x),
+                       gas ? measure_volume(body->mesh, body->x) : 0);
 }
 
-double inflation_pressure(const Body* body) {
-    return pressure_of(&body->inflation, measure_area(body->mesh, body->x), volume_if_gas(body));
+/// The volume of a gas from dV/dx, which is at hand: V is of degree 3 in x, so 3 V = x . dV/dx,
+/// from any origin; one on the skin loses no digits far away.
+static double volume_if_gas(const Body* body) {
+    if (body->inflation.law != INFLATE_GAS)
+        return 0;
+    const double4 origin = to_double4(body->x[0]);
+    double sum = 0;
+    for (int i = 0; i < body->count; i++)
+        sum += ddot(to_double4(body->x[i]) - origin, to_double4(body->inflation.gradient[i]));
+    return sum / 3;
 }
 
 static bool present(const Body* body) {
@@ -107,26 +118,97 @@ static double bound(const Body* body) {
     return stiff;
 }
 
+static Stencils stencils(const Body* body) {
+    const bool any = body->inflation.law != INFLATE_NONE;
+    return (Stencils){any ? body->mesh->face_count : 0, 4, (const int*)body->mesh->face};
+}
+
+/// The matrix of d -> factor d x a.
+static inline Block crossed(real factor, real4 a) {
+    a *= factor;
+    return (Block){{{0, -a[2], a[1], 0}, {a[2], 0, -a[0], 0}, {-a[1], a[0], 0, 0}}};
+}
+
+static inline void add_block(Block* value, const Block* block) {
+    for (int c = 0; c < 3; c++)
+        value->column[c] += block->column[c];
+}
+
+/// A triangle: dV/dk = (b - a) x (c - a) / 6 at each corner k, which changes by d x (b - c) / 6 as
+/// a goes by d. Around a corner of a closed skin the changes by itself cancel.
+static void assemble_triangle(const real4 x[3], real factor, const int* slot, Block* value) {
+    for (int a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        const Block block = crossed(factor / 6, x[b] - x[c]);
+        add_block(&value[slot[4 * b + a]], &block);
+        add_block(&value[slot[4 * c + a]], &block);
+    }
+}
+
+/// A quad of a closed skin: the mean of its two triangulations, which are three triangles at each
+/// corner a, with b after it, c across and d before.
+static void assemble_quad(const real4 x[4], real factor, const int* slot, Block* value) {
+    for (int a = 0; a < 4; a++) {
+        const int b = (a + 1) % 4, c = (a + 2) % 4, d = (a + 3) % 4;
+        const Block at_b = crossed(factor / 12, x[b] + x[b] - x[c] - x[d]);
+        const Block at_c = crossed(factor / 12, x[b] - x[d]);
+        const Block at_d = crossed(factor / 12, x[b] + x[c] - x[d] - x[d]);
+        add_block(&value[slot[4 * b + a]], &at_b);
+        add_block(&value[slot[4 * c + a]], &at_c);
+        add_block(&value[slot[4 * d + a]], &at_d);
+    }
+}
+
+/// An open skin's quad: a quarter of its area vector (c - a) x (d - b) / 2 at each corner.
+static void assemble_open_quad(const real4 x[4], real factor, const int* slot, Block* value) {
+    for (int a = 0; a < 4; a++) {
+        const Block block = crossed(factor / 8, x[(a + 1) % 4] - x[(a + 3) % 4]);
+        for (int k = 0; k < 4; k++)
+            add_block(&value[slot[4 * k + a]], &block);
+    }
+}
+
+/// -p d2V/dx2, face by face; `area` at its frozen pressure, as its energy. It has both signs, and
+/// is left out of what is to be positive.
+static void assemble(const Body* body, double factor, bool project, const int* slot,
+                     BlockMatrix* matrix) {
+    if (project)
+        return;
+    const Mesh* mesh = body->mesh;
+    Block* value = matrix->value;
+    const real p = (real)(-factor * body->inflation.pressure);
+    for (int f = 0; f < mesh->face_count; f++, slot += 16) {
+        const int* face = mesh->face[f];
+        real4 x[4];
+        for (int k = 0; k < face_corners(face); k++)
+            x[k] = body->x[face[k]];
+        if (face[3] == NONE)
+            assemble_triangle(x, p, slot, value);
+        else if (mesh->closed)
+            assemble_quad(x, p, slot, value);
+        else
+            assemble_open_quad(x, p, slot, value);
+    }
+}
+
 /// The share of the thin-shell paper's eq. 16, whose 1/27 should be 1/9. [1]
 static const double paper_share = 1.0 / 3;
 
-/// K d = -p (d2V/dx2) d - dp/dV dV/dx (dV/dx . d), dense but of rank one: two sums. `area` at its
-/// frozen pressure, as its energy.
-static void product(const Body* body, const real4* d, real4* out) {
+/// -dp/dV dV/dx (dV/dx . d), dense but of rank one: two sums.
+static void product(const Body* body, double factor, const real4* d, real4* out) {
     const Inflation* inflation = &body->inflation;
-    measure_volume_product(body->mesh, body->x, d, (real)-inflation->pressure, out);
     if (inflation->law != INFLATE_GAS)
         return;
     double along = 0;
     for (int i = 0; i < body->count; i++)
         along += (double)dot(inflation->gradient[i], d[i]);
-    const real factor = (real)(-inflation->slope * along);
+    const real push = (real)(-factor * inflation->slope * along);
     for (int i = 0; i < body->count; i++)
-        out[i] += factor * inflation->gradient[i];
+        out[i] += push * inflation->gradient[i];
 }
 
 static void stiffen(Body* body, bool project) {
-    (void)project; // the second derivative of the volume has both signs; solvers watch for it
+    (void)project;
     Inflation* inflation = &body->inflation;
     const double area = measure_volume_gradient(body->mesh, body->x, inflation->gradient);
     const double volume = volume_if_gas(body);
@@ -136,15 +218,6 @@ static void stiffen(Body* body, bool project) {
         inflation->slope *= paper_share;
 }
 
-/// Of the rank-one part, which alone is positive.
-static void diagonal(const Body* body, Block* block) {
-    const Inflation* inflation = &body->inflation;
-    for (int i = 0; i < body->count; i++)
-        for (int c = 0; c < 3; c++)
-            block[i].column[c] +=
-                ((real)-inflation->slope * inflation->gradient[i][c]) * inflation->gradient[i];
-}
-
 const Force force_inflation = {
     .name = "inflation",
     .about = "pressure p dV/dx, laws area, pressure and gas",
@@ -152,8 +225,9 @@ const Force force_inflation = {
     .add = add,
     .energy = energy,
     .bound = bound,
-    .stiffen = stiffen,
+    .stencils = stencils,
+    .assemble = assemble,
     .product = product,
-    .diagonal = diagonal,
+    .stiffen = stiffen,
     .internal = true,
 };

@@ -51,8 +51,9 @@ static double energy(const Body* body) {
 }
 
 /// The level moves with the skin; it is held still here, for the force does not depend on it.
-static void product(const Body* body, const real4* d, real4* out) {
-    const Lift lift = lift_of(body);
+static void product(const Body* body, double factor, const real4* d, real4* out) {
+    Lift lift = lift_of(body);
+    lift.of_moment *= factor, lift.of_volume *= factor, lift.gas *= factor;
     const real4* gradient = body->inflation.gradient;
     const double moment_along =
         moment_add_product(body->mesh, body->x, lift.level, d, (real)-lift.of_moment, out);

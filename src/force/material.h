@@ -13,7 +13,7 @@
 #define BALLOON_FORCE_MATERIAL_H
 
 #include "base/fault.h"
-#include "body/body.h"
+#include "force/force.h"
 
 struct Material {
     const char* name;
@@ -32,8 +32,10 @@ struct Material {
     /// f += force of every element on its corners. [N]
     void (*add)(const Membrane* membrane, const real4* x, real4* f);
 
-    /// Write membrane->stiffness at x; `project` takes out what is not positive definite.
-    void (*stiffen)(Membrane* membrane, const real4* x, bool project);
+    /// Force.assemble of every element, factor times K; `project` takes out what is not positive
+    /// definite.
+    void (*assemble)(const Membrane* membrane, const real4* x, real factor, bool project,
+                     const int* slot, Block* value);
 
     /// Upper bound on the elements' squared frequencies [1/s^2].
     double (*bound)(const Membrane* membrane, const real4* x);

@@ -31,6 +31,6 @@ const Material material_mooney_rivlin = {
     .constants = constants,
     .energy = energy,
     .add = add_elements,
-    .stiffen = stiffen_elements,
+    .assemble = assemble_elements,
     .bound = bound_elements,
 };

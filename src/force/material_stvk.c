@@ -29,6 +29,6 @@ const Material material_stvk = {
     .constants = constants,
     .energy = energy,
     .add = add_elements,
-    .stiffen = stiffen_elements,
+    .assemble = assemble_elements,
     .bound = bound_elements,
 };

@@ -33,6 +33,6 @@ const Material material_stvk_3d = {
     .constants = constants,
     .energy = energy,
     .add = add_elements,
-    .stiffen = stiffen_elements,
+    .assemble = assemble_elements,
     .bound = bound_elements,
 };

@@ -32,37 +32,15 @@ static double bound(const Body* body) {
     return body->membrane.rubber.material->bound(&body->membrane, body->x);
 }
 
-static void stiffen(Body* body, bool project) {
-    body->membrane.rubber.material->stiffen(&body->membrane, body->x, project);
+static Stencils stencils(const Body* body) {
+    return (Stencils){body->membrane.count, 3, (const int*)body->membrane.corner};
 }
 
-static void product(const Body* body, const real4* restrict d, real4* restrict out) {
+static void assemble(const Body* body, double factor, bool project, const int* slot,
+                     BlockMatrix* matrix) {
     const Membrane* membrane = &body->membrane;
-    for (int e = 0; e < membrane->count; e++) {
-        const int* c = membrane->corner[e];
-        const real4 d1 = d[c[1]] - d[c[0]], d2 = d[c[2]] - d[c[0]];
-        const Stiffness* s = &membrane->stiffness[e];
-        const real4 g1 = d1[0] * s->k11[0] + d1[1] * s->k11[1] + d1[2] * s->k11[2] +
-                         d2[0] * s->k12[0] + d2[1] * s->k12[1] + d2[2] * s->k12[2];
-        const real4 g2 = d1[0] * s->k21[0] + d1[1] * s->k21[1] + d1[2] * s->k21[2] +
-                         d2[0] * s->k22[0] + d2[1] * s->k22[1] + d2[2] * s->k22[2];
-        out[c[0]] -= g1 + g2;
-        out[c[1]] += g1;
-        out[c[2]] += g2;
-    }
-}
-
-static void diagonal(const Body* body, Block* block) {
-    const Membrane* membrane = &body->membrane;
-    for (int e = 0; e < membrane->count; e++) {
-        const int* corner = membrane->corner[e];
-        const Stiffness* s = &membrane->stiffness[e];
-        for (int c = 0; c < 3; c++) {
-            block[corner[0]].column[c] += s->k11[c] + s->k12[c] + s->k21[c] + s->k22[c];
-            block[corner[1]].column[c] += s->k11[c];
-            block[corner[2]].column[c] += s->k22[c];
-        }
-    }
+    membrane->rubber.material->assemble(membrane, body->x, (real)factor, project, slot,
+                                        matrix->value);
 }
 
 const Force force_membrane = {
@@ -72,8 +50,7 @@ const Force force_membrane = {
     .add = add,
     .energy = energy,
     .bound = bound,
-    .stiffen = stiffen,
-    .product = product,
-    .diagonal = diagonal,
+    .stencils = stencils,
+    .assemble = assemble,
     .internal = true,
 };

@@ -87,49 +87,32 @@ static Resistance resistance_of(SpringLaw law, real stiffness, real r) {
     return (Resistance){stiffness * (1 + 5 * r6) / 6, stiffness * (1 - r6) / 6};
 }
 
-static Resistance resistance(const Springs* springs, int s, real length_now) {
-    Resistance now =
-        resistance_of(springs->law, springs->active[s], ratio(springs->rest[s], length_now));
-    if (springs->project) // a pressed spring gives way to the side
-        now.across = real_max(now.across, 0);
-    return now;
+static Stencils stencils(const Body* body) {
+    return (Stencils){body->springs.count, 2, (const int*)body->springs.end};
 }
 
-static void stiffen(Body* body, bool project) {
-    body->springs.project = project;
-}
-
-static void product(const Body* body, const real4* restrict d, real4* restrict out) {
+static void assemble(const Body* body, double factor, bool project, const int* slot,
+                     BlockMatrix* matrix) {
     const Springs* springs = &body->springs;
-    for (int s = 0; s < springs->count; s++) {
-        const int i = springs->end[s][0], j = springs->end[s][1];
-        const real4 span = body->x[j] - body->x[i], change = d[j] - d[i];
-        const real now = length(span);
-        if (!(now > 0))
-            continue;
-        const Resistance k = resistance(springs, s, now);
-        const real4 n = span / now;
-        const real4 pull = k.across * change + ((k.along - k.across) * dot(n, change)) * n;
-        out[i] -= pull;
-        out[j] += pull;
-    }
-}
-
-static void diagonal(const Body* body, Block* block) {
-    const Springs* springs = &body->springs;
+    Block* restrict value = matrix->value;
     for (int s = 0; s < springs->count; s++) {
         const int* end = springs->end[s];
         const real4 span = body->x[end[1]] - body->x[end[0]];
         const real now = length(span);
         if (!(now > 0))
             continue;
-        const Resistance k = resistance(springs, s, now);
+        Resistance k =
+            resistance_of(springs->law, springs->active[s], ratio(springs->rest[s], now));
+        if (project) // a pressed spring gives way to the side
+            k.across = real_max(k.across, 0);
         const real4 n = span / now;
         for (int c = 0; c < 3; c++) {
-            real4 column = ((k.along - k.across) * n[c]) * n;
-            column[c] += k.across;
-            block[end[0]].column[c] += column;
-            block[end[1]].column[c] += column;
+            real4 column = ((real)factor * (k.along - k.across) * n[c]) * n;
+            column[c] += (real)factor * k.across;
+            value[slot[4 * s]].column[c] += column;
+            value[slot[4 * s + 1]].column[c] -= column;
+            value[slot[4 * s + 2]].column[c] -= column;
+            value[slot[4 * s + 3]].column[c] += column;
         }
     }
 }
@@ -141,8 +124,7 @@ const Force force_springs = {
     .add = add,
     .energy = energy,
     .bound = bound,
-    .stiffen = stiffen,
-    .product = product,
-    .diagonal = diagonal,
+    .stencils = stencils,
+    .assemble = assemble,
     .internal = true,
 };

@@ -47,28 +47,23 @@ static double bound(const Body* body) {
 }
 
 /// A taut string resists like a spring, its tension over its length to the side; a slack one not.
-static void product(const Body* body, const real4* d, real4* out) {
+static void assemble(const Body* body, double factor, bool project, const int* slot,
+                     BlockMatrix* matrix) {
+    (void)project, (void)slot; // it only pulls, which is positive
     for (int k = 0; k < body->string_count; k++) {
         const String* s = &body->string[k];
         const real over = excess(body, s);
         if (over <= 0)
             continue;
-        const real4 span = body->x[s->particle] - s->anchor, change = d[s->particle];
-        const real now = length(span), across = s->stiffness * over / now;
-        const real4 n = span / now;
-        out[s->particle] += across * change + ((s->stiffness - across) * dot(n, change)) * n;
-    }
-}
-
-static void diagonal(const Body* body, Block* block) {
-    for (int k = 0; k < body->string_count; k++) {
-        const String* s = &body->string[k];
-        if (excess(body, s) <= 0)
-            continue;
         const real4 span = body->x[s->particle] - s->anchor;
-        const real4 n = span / length(span);
-        for (int c = 0; c < 3; c++)
-            block[s->particle].column[c] += (s->stiffness * n[c]) * n;
+        const real now = length(span), along = (real)factor * s->stiffness,
+                   across = along * over / now;
+        const real4 n = span / now;
+        Block* block = block_matrix_diagonal(matrix, s->particle);
+        for (int c = 0; c < 3; c++) {
+            block->column[c] += ((along - across) * n[c]) * n;
+            block->column[c][c] += across;
+        }
     }
 }
 
@@ -79,6 +74,5 @@ const Force force_strings = {
     .add = add,
     .energy = energy,
     .bound = bound,
-    .product = product,
-    .diagonal = diagonal,
+    .assemble = assemble,
 };

@@ -57,8 +57,9 @@ static real4 slope_change(real4 n, real4 dn, real4 u, real4 du, real4 g, real a,
 }
 
 /// K d = k (db/dx)(db/dx . d) + k (b - rest) (d2b/dx2) d; the second part has both signs.
-static void product(const Body* body, const real4* d, real4* out) {
+static void product(const Body* body, double factor, const real4* d, real4* out) {
     const Torsion* torsion = &body->torsion;
+    const real stiffness = (real)factor * torsion->stiffness;
     for (int t = 0; t < torsion->count; t++) {
         const int p = torsion->path[t][0], m = torsion->path[t][1], q = torsion->path[t][2];
         const real4 dp = body->x[p] - body->x[m], dq = body->x[q] - body->x[m];
@@ -73,12 +74,12 @@ static void product(const Body* body, const real4* d, real4* out) {
         const real4 gp = (n - dot(n, u) * u) / a, gq = (n - dot(n, w) * w) / c;
         const real4 change_p = d[p] - d[m], change_q = d[q] - d[m];
         const real db = dot(gp, change_p) + dot(gq, change_q);
-        real4 kp = (torsion->stiffness * db) * gp, kq = (torsion->stiffness * db) * gq;
+        real4 kp = (stiffness * db) * gp, kq = (stiffness * db) * gq;
         if (!torsion->project) {
             const real da = dot(u, change_p), dc = dot(w, change_q);
             const real4 du = (change_p - da * u) / a, dw = (change_q - dc * w) / c;
             const real4 dn = (du + dw - db * n) / b;
-            const real over = torsion->stiffness * (b - torsion->rest[t]);
+            const real over = stiffness * (b - torsion->rest[t]);
             kp += over * slope_change(n, dn, u, du, gp, a, da);
             kq += over * slope_change(n, dn, w, dw, gq, c, dc);
         }

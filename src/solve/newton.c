@@ -4,9 +4,10 @@
 ///     R(v') = M (v' - v) - h f(x + h v', v') = 0        the step's equation
 ///     A dv = -R,  A = M + h D + h^2 K                   D drag, K = -df/dx, made positive
 ///
-/// K is never assembled: each force multiplies by its own part (Force.product), the gas by its
-/// rank-one one. A is preconditioned by its diagonal 3 x 3 blocks. A step dv that leaves more of R
-/// than there was is halved until less is left or the incremental potential
+/// K's blocks are assembled (force/tangent.h), what is dense, as the gas's rank-one part, each
+/// force multiplies by itself. A is preconditioned by a cycle through coarser skins (multilevel.h).
+/// A step dv that leaves more of R than there was is halved until less is left or the incremental
+/// potential
 ///
 ///     P(v') = |v' - v|^2_M / 2 + h |v'|^2_D / 2 + E(x + h v')
 ///
@@ -16,9 +17,9 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "force/force.h"
-#include "mesh/measure.h"
+#include "force/tangent.h"
 #include "solve/method.h"
+#include "solve/multilevel.h"
 
 static const Solver usual = {.iterations = 50, .tolerance = 1e-6, .linear_tolerance = 1e-2};
 
@@ -38,11 +39,11 @@ typedef struct Room {
     real4* search;   ///< [count] direction
     real4* image;    ///< [count] A times direction
     real4* ready;    ///< [count] preconditioned remainder
-    Block* inverse;  ///< [count] of A's diagonal blocks
+    Tangent tangent; ///< A
+    Multilevel levels;
 } Room;
 
 static void* open(Body* body, const Solver* solver) {
-    body_prepare_implicit(body);
     Room* room = new_array(Room, 1);
     const int n = body->count;
     *room = (Room){
@@ -55,8 +56,9 @@ static void* open(Body* body, const Solver* solver) {
         .search = new_array(real4, n),
         .image = new_array(real4, n),
         .ready = new_array(real4, n),
-        .inverse = new_array(Block, n),
     };
+    tangent_open(&room->tangent, body);
+    multilevel_open(&room->levels, &room->tangent.matrix, body->inverse_mass);
     if (room->solver.iterations == 0)
         room->solver.iterations = usual.iterations;
     if (room->solver.tolerance == 0)
@@ -78,7 +80,8 @@ static void close(void* self) {
     free(room->search);
     free(room->image);
     free(room->ready);
-    free(room->inverse);
+    tangent_close(&room->tangent);
+    multilevel_close(&room->levels);
     free(room);
 }
 
@@ -135,61 +138,43 @@ static double potential(const Body* body, const Room* room, double h) {
     return sum;
 }
 
-/// out = A d
-static void multiply(const Body* body, const real4* d, double h, real4* out) {
-    memset(out, 0, (size_t)body->count * sizeof *out);
-    for (int k = 0; k < force_count; k++)
-        if (force_table[k]->product && force_table[k]->present(body))
-            force_table[k]->product(body, d, out);
-    for (int i = 0; i < body->count; i++) {
-        const real own = body->mass[i] + (real)(h * body_drag(body, i));
-        const real held = body->inverse_mass[i] > 0 ? 1 : 0;
-        out[i] = held * (own * d[i] + (real)(h * h) * out[i]);
-    }
-}
-
-/// The inverse of a symmetric block, by its cofactors.
-static Block inverse_of(const Block* block) {
-    const real4 a = block->column[0], b = block->column[1], c = block->column[2];
-    const real4 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const real det = dot(a, bc);
-    return (Block){{bc / det, ca / det, ab / det}};
-}
-
-/// Returns the rounding of R: no position is finer than its last bit, and K turns that into force;
-/// nor is a velocity.
-static double ready_preconditioner(const Body* body, Room* room, double h) {
+/// A, at the present x'. Returns the rounding of R: no position is finer than its last bit, and K
+/// turns that into force; nor is a velocity.
+static double ready(Body* body, Room* room, double h, bool project, bool first) {
+    tangent_ready(&room->tangent, body, h * h, project);
     double noise = 0;
-    Block* block = room->inverse;
-    memset(block, 0, (size_t)body->count * sizeof *block);
-    for (int k = 0; k < force_count; k++)
-        if (force_table[k]->diagonal && force_table[k]->present(body))
-            force_table[k]->diagonal(body, block);
     for (int i = 0; i < body->count; i++) {
+        Block* block = block_matrix_diagonal(&room->tangent.matrix, i);
         const double stiff =
-            (double)(block[i].column[0][0] + block[i].column[1][1] + block[i].column[2][2]);
-        const double force = h * stiff * (double)(REAL_EPSILON * length(body->x[i]));
+            (double)(block->column[0][0] + block->column[1][1] + block->column[2][2]) / h;
+        const double force = stiff * (double)(REAL_EPSILON * length(body->x[i]));
         noise += (double)body->inverse_mass[i] * force * force;
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i])) *
                  (double)(REAL_EPSILON * REAL_EPSILON);
-        for (int c = 0; c < 3; c++) {
-            block[i].column[c] *= (real)(h * h);
-            block[i].column[c][c] += body->mass[i] + (real)(h * body_drag(body, i));
-        }
-        block[i] = inverse_of(&block[i]);
+        for (int c = 0; c < 3; c++)
+            block->column[c][c] += body->mass[i] + (real)(h * body_drag(body, i));
     }
+    multilevel_ready(&room->levels, first);
     return sqrt(noise);
+}
+
+/// out = A d
+static void multiply(const Body* body, const Room* room, const real4* d, double h, real4* out) {
+    tangent_multiply(&room->tangent, body, h * h, d, out);
+    for (int i = 0; i < body->count; i++)
+        if (!(body->inverse_mass[i] > 0))
+            out[i] = (real4){0, 0, 0, 0};
 }
 
 /// ready = preconditioner times left; returns left . ready.
 static double precondition(const Body* body, Room* room) {
+    multilevel_apply(&room->levels, room->left, room->ready);
     double sum = 0;
-    for (int i = 0; i < body->count; i++) {
-        const Block* b = &room->inverse[i];
-        const real4 r = room->left[i];
-        room->ready[i] = r[0] * b->column[0] + r[1] * b->column[1] + r[2] * b->column[2];
-        sum += (double)dot(r, room->ready[i]);
-    }
+    for (int i = 0; i < body->count; i++)
+        if (body->inverse_mass[i] > 0)
+            sum += (double)dot(room->left[i], room->ready[i]);
+        else
+            room->ready[i] = (real4){0, 0, 0, 0};
     return sum;
 }
 
@@ -200,8 +185,8 @@ static double sum_of(const Body* body, const real4* a, const real4* b) {
     return sum;
 }
 
-/// Solve A dv = -R. Stops where A is not positive along the search, with what there is so far.
-static void solve_linear(Body* body, Room* room, double h, Effort* effort) {
+/// Solve A dv = -R. False where A turns out not to be positive.
+static bool solve_linear(Body* body, Room* room, double h, Effort* effort) {
     for (int i = 0; i < body->count; i++)
         room->left[i] = -room->residual[i];
     memset(room->change, 0, (size_t)body->count * sizeof *room->change);
@@ -210,14 +195,11 @@ static void solve_linear(Body* body, Room* room, double h, Effort* effort) {
     const double enough = size * room->solver.linear_tolerance * room->solver.linear_tolerance;
     memcpy(room->search, room->ready, (size_t)body->count * sizeof *room->search);
     for (int n = 0; n < PRODUCTS_MOST && size > enough; n++) {
-        multiply(body, room->search, h, room->image);
+        multiply(body, room, room->search, h, room->image);
         effort->products++;
         const double curvature = sum_of(body, room->search, room->image);
-        if (!(curvature > 0)) {
-            if (n == 0) // steepest descent is at least down
-                memcpy(room->change, room->search, (size_t)body->count * sizeof *room->change);
-            return;
-        }
+        if (!(curvature > 0))
+            return false;
         const real step = (real)(size / curvature);
         for (int i = 0; i < body->count; i++) {
             room->change[i] += step * room->search[i];
@@ -225,14 +207,18 @@ static void solve_linear(Body* body, Room* room, double h, Effort* effort) {
         }
         const double last = size;
         size = precondition(body, room);
+        if (!(size >= 0))
+            return false;
         const real turn = (real)(size / last);
         for (int i = 0; i < body->count; i++)
             room->search[i] = room->ready[i] + turn * room->search[i];
     }
+    return true;
 }
 
+/// Whether the gas, if there is one, had a volume when the forces were last summed.
 static bool has_room(const Body* body) {
-    return body->inflation.law != INFLATE_GAS || measure_volume(body->mesh, body->x) > 0;
+    return body->inflation.law != INFLATE_GAS || body->inflation.volume > 0;
 }
 
 /// The part of dv that is not too far.
@@ -243,9 +229,9 @@ static double first_part(const Body* body, const Room* room, double h) {
     return fmin(1, farthest * body->size / (h * sqrt(most)));
 }
 
-/// Take dv, or as much of it as makes things better. Returns the residual's new size, or less than
-/// 0 where no part of dv does.
-static double take(Body* body, Room* room, double before, double h) {
+/// Take dv, or as much of it as makes things better, where they are worse than `rounding`. Returns
+/// the residual's new size, or less than 0 where no part of dv does.
+static double take(Body* body, Room* room, double before, double rounding, double h) {
     double potential_before = NAN, taken = 0, part = first_part(body, room, h);
     for (int halving = 0; halving < HALVINGS_MOST; halving++, part /= 2) {
         if (halving == 1) { // the first part was not good: what was it worth before?
@@ -255,10 +241,11 @@ static double take(Body* body, Room* room, double before, double h) {
         }
         go(body, room, part - taken, h);
         taken = part;
+        const double after = residual(body, room, h);
         if (!has_room(body))
             continue;
-        const double after = residual(body, room, h);
-        if (after <= before || (halving > 0 && potential(body, room, h) < potential_before))
+        if (after <= fmax(before, rounding) ||
+            (halving > 0 && potential(body, room, h) < potential_before))
             return after;
     }
     return -1;
@@ -269,23 +256,32 @@ static void put_back(Body* body, const Room* room) {
     memcpy(body->v, room->v, (size_t)body->count * sizeof *body->v);
 }
 
-static bool solve(Body* body, Room* room, double h, Effort* effort) {
+/// dv by the full tangent, or where that is not positive by the part of it that is, which also
+/// leads downhill. A cycle through coarser skins follows the first tangent of a step.
+static void find_change(Body* body, Room* room, double h, bool* convex, Effort* effort) {
+    if (!*convex && solve_linear(body, room, h, effort))
+        return;
+    if (!*convex) {
+        *convex = true;
+        ready(body, room, h, true, true);
+    }
+    solve_linear(body, room, h, effort);
+}
+
+static bool solve(Body* body, Room* room, double size, double h, Effort* effort) {
     const Solver* solver = &room->solver;
     const bool counted = solver->tolerance < 0;
-    double size = residual(body, room, h);
     const double scale = fmax(size, measure_of(body, h));
     double enough = counted ? -1 : solver->tolerance * scale;
+    bool convex = false;
     while (effort->iterations < solver->iterations && size > enough) {
-        for (int k = 0; k < force_count; k++)
-            if (force_table[k]->stiffen && force_table[k]->present(body))
-                force_table[k]->stiffen(body, true);
-        const double noise = ready_preconditioner(body, room, h);
+        const double rounding = ready(body, room, h, convex, effort->iterations == 0);
         if (!counted)
-            enough = fmax(enough, noise);
+            enough = fmax(enough, rounding);
         if (size <= enough)
             break;
-        solve_linear(body, room, h, effort);
-        size = take(body, room, size, h);
+        find_change(body, room, h, &convex, effort);
+        size = take(body, room, size, rounding, h);
         effort->iterations++;
         if (!(size >= 0))
             return false;
@@ -294,23 +290,27 @@ static bool solve(Body* body, Room* room, double h, Effort* effort) {
     return counted || size <= enough;
 }
 
+static void rest(Body* body) {
+    memset(body->v, 0, (size_t)body->count * sizeof *body->v);
+}
+
 static bool kick(Body* body, void* self, double h, Effort* effort) {
     Room* room = self;
     *effort = (Effort){0};
     memcpy(room->x, body->x, (size_t)body->count * sizeof *room->x);
-    memcpy(room->v, body->v, (size_t)body->count * sizeof *room->v);
     memset(room->change, 0, (size_t)body->count * sizeof *room->change);
-    if (room->solver.start == START_REST) {
-        memset(body->v, 0, (size_t)body->count * sizeof *body->v);
-        memset(room->v, 0, (size_t)body->count * sizeof *room->v);
-    }
+    if (room->solver.start == START_REST)
+        rest(body);
+    memcpy(room->v, body->v, (size_t)body->count * sizeof *room->v);
     go(body, room, 0, h);
+    double size = residual(body, room, h);
     if (!has_room(body)) { // it would turn inside out by itself: begin where it is
-        memset(body->v, 0, (size_t)body->count * sizeof *body->v);
+        rest(body);
         go(body, room, 0, h);
+        size = residual(body, room, h);
     }
 
-    const bool solved = solve(body, room, h, effort);
+    const bool solved = solve(body, room, size, h, effort);
     if (!solved)
         put_back(body, room);
     else

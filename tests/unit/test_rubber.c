@@ -3,7 +3,7 @@
 #include <fcntl.h>
 
 #include "bodies.h"
-#include "force/force.h"
+#include "force/tangent.h"
 #include "force/inflation.h"
 #include "lab/truth.h"
 #include "mesh/measure.h"
@@ -124,17 +124,16 @@ static double breathing(double amount, double l) {
                                      .unit = 101325,
                                      .ambient = 101325,
                                      .temperature = 1});
-    body_prepare_implicit(&body);
     real4 *d = new_array(real4, body.count), *out = new_array(real4, body.count);
     for (int i = 0; i < body.count; i++) {
         d[i] = body.x[i];
         body.x[i] *= (real)l;
     }
-    for (int k = 0; k < force_count; k++)
-        if (force_table[k]->product && force_table[k]->present(&body)) {
-            force_table[k]->stiffen(&body, false);
-            force_table[k]->product(&body, d, out);
-        }
+    Tangent tangent;
+    tangent_open(&tangent, &body);
+    tangent_ready(&tangent, &body, 1, false);
+    tangent_multiply(&tangent, &body, 1, d, out);
+    tangent_close(&tangent);
     double stiff = 0, inert = 0;
     for (int i = 0; i < body.count; i++) {
         stiff += (double)dot(d[i], out[i]);
