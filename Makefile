@@ -11,7 +11,7 @@
 # Debian 12's names; the only list of packages there is
 BUILD_PACKAGES := gcc g++ pkg-config libassimp-dev libcyaml-dev libyaml-dev libcglm-dev libimgui-dev \
     libglfw3-dev libegl-dev libopengl-dev libpng-dev libbullet-dev
-RUN_PACKAGES   := libegl1 libgl1 libgl1-mesa-dri ffmpeg
+RUN_PACKAGES   := libegl1 libgl1 libgl1-mesa-dri ffmpeg gnuplot-nox
 TEST_PACKAGES  := libcmocka-dev xvfb xdotool imagemagick
 CHECK_PACKAGES := clang clang-format
 LIBRARIES      := assimp libcyaml yaml-0.1 cglm imgui glfw3 egl opengl libpng bullet bullet-float64
@@ -112,7 +112,7 @@ endef
 packages-build:
 	$(call install_missing,$(BUILD_PACKAGES),$(LIBRARIES),gcc g++ pkg-config)
 packages-run:
-	$(call install_missing,$(RUN_PACKAGES),,ffmpeg)
+	$(call install_missing,$(RUN_PACKAGES),,ffmpeg gnuplot)
 packages-test:
 	$(call install_missing,$(TEST_PACKAGES),cmocka,Xvfb xdotool import)
 packages-check:
