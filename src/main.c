@@ -6,6 +6,7 @@
 
 #include "force/force.h"
 #include "lab/bench.h"
+#include "lab/stability.h"
 #include "mesh/load.h"
 #include "mesh/shape.h"
 #include "show/show.h"
@@ -64,7 +65,7 @@ static const Option option_table[] = {
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping alone",            FLAG(time)},
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
-    {"--quick",     NULL,       "bench: a thinned measurement",                    FLAG(quick)},
+    {"--quick",     NULL,       "bench, stability: a thinned measurement",         FLAG(quick)},
     {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
     {"--step",      "S",        "length of a step [s]",                            .key = "step"},
     {"--guard",     "split|stop|off", "what to do with a step that is too long",   .key = "guard"},
@@ -90,6 +91,15 @@ static bool number(const char* text, const char* option, double given, double* v
     return true;
 }
 
+/// The other precision is another program; it reads the same command line again.
+static bool hand_over(const char* program, char** argv, Fault* fault) {
+    char path[512];
+    if (!place_sibling(program, path, fault))
+        return false;
+    execv(path, argv);
+    return fault_set(fault, path, "cannot be started: %s", strerror(errno));
+}
+
 /// Read the scene and open its world, in the precision that it asks for.
 static bool open_world(const Options* options, World* world, char** argv, Fault* fault) {
     WorldDef def;
@@ -97,15 +107,10 @@ static bool open_world(const Options* options, World* world, char** argv, Fault*
     if (!scene_load(target, options->set, options->set_count, &def, fault))
         return false;
 
-    // the other precision is another program; it reads the same command line again
     const bool is_double = sizeof(real) == sizeof(double);
     if (def.precision != PRECISION_ANY && (def.precision == PRECISION_DOUBLE) != is_double) {
-        char path[512];
         scene_free(&def);
-        if (!place_sibling(is_double ? "balloon" : "balloon-double", path, fault))
-            return false;
-        execv(path, argv);
-        return fault_set(fault, path, "cannot be started: %s", strerror(errno));
+        return hand_over(is_double ? "balloon" : "balloon-double", argv, fault);
     }
     return world_open(world, &def, fault);
 }
@@ -219,6 +224,13 @@ static bool verb_bench(const Options* options, Fault* fault) {
     return true;
 }
 
+/// A push of 1e-6 needs a state of double.
+static bool verb_stability(const Options* options, Fault* fault) {
+    if (sizeof(real) != sizeof(double))
+        return hand_over("balloon-double", arguments, fault);
+    return stability(options->out ? options->out : "out", options->quick, fault);
+}
+
 static bool verb_list(const Options* options, Fault* fault) {
     (void)options;
     (void)fault;
@@ -262,6 +274,7 @@ static const Verb verb_table[] = {
     {"run",    "SCENE|MESH",   "simulate only, no drawing",                        verb_run},
     {"check",  "MESH",         "the mesh doctor; exit 1 if it is unusable",        verb_check},
     {"bench",  "[CASE]",       "measure: all cases, or one",                      verb_bench},
+    {"stability", "",         "where each method fails: maps and limits, to --out",  verb_stability},
     {"list",   "",             "scenes, shapes, forces, methods, display modes",   verb_list},
 };
 enum { VERBS = sizeof verb_table / sizeof *verb_table };
@@ -270,7 +283,7 @@ enum { VERBS = sizeof verb_table / sizeof *verb_table };
 static void print_help(void) {
     puts("balloon: any quad mesh becomes a rubber balloon\n");
     for (int k = 0; k < VERBS; k++)
-        printf("  balloon %-6s %-13s %s\n", verb_table[k].name, verb_table[k].target,
+        printf("  balloon %-9s %-13s %s\n", verb_table[k].name, verb_table[k].target,
                verb_table[k].about);
     puts("\noptions");
     for (int k = 0; k < OPTIONS; k++)
