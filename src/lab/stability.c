@@ -47,8 +47,8 @@ static const MapCase map_table[] = {
      true, 3.125, 800, 17, 5, 5e-5, 5e-2, 25, 9},
     {"limit-rubber", "gas [of what fills the skin unstretched]",
      {{"balloons.0.inflation.amount", 1, NULL}, {"balloons.0.inflation.law", 0, "gas"},
-      {"balloons.0.model", 0, "icosphere:1"}},
-     false, 1, 5, 9, 3, 1e-4, 1e-2, 21, 6},
+      {"balloons.0.model", 0, "icosphere:1"}, {"balloons.0.damping.rate", 0, "500"}},
+     false, 1, 5, 9, 3, 1e-5, 4e-3, 27, 6},
 };
 static const LimitCase limit_table[] = {
     {"limit-springs", "limit-springs", {{0}}, {0, 0.05, 0.2, 1, 2}, 5, false},

@@ -8,7 +8,9 @@ balloon=$build/balloon
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-ok "it measures and draws" "$balloon" stability --quick --out "$scratch/o"
+"$balloon" stability --quick --out "$scratch/o" >"$scratch/table"
+ok "it measures and draws" test $? = 0
+ok "its table has a line for each limit" test "$(wc -l <"$scratch/table")" = "$(wc -l <"$scratch/o/stability.csv")"
 ok "limits have their columns" grep -qx "scene,method,damping,step_measured,step_theory,step_bound" \
     <(head -1 "$scratch/o/stability.csv")
 ok "maps have theirs" grep -qx "scene,method,step,stiffness,verdict,growth_rate" \
@@ -30,7 +32,7 @@ sides() {
 ok "cells are stable below the limit and not above it" sides 100
 ok "limits are theory's" awk -F, 'NR > 1 && $5 != "inf" && $5 > 0 && ($4 / $5 < 0.98 || $4 / $5 > 1.02) { exit 1 }' \
     "$scratch/o/stability.csv"
-bad "cannot be made" "$balloon" stability --quick --out /proc/nothing/here
-bad "cannot be written|cannot be made" "$balloon" stability --quick --out "$scratch/o/map.csv"
+ok "no folder is a fault" refuses 1 "cannot be made" "$balloon" stability --quick --out /proc/nothing/here
+ok "so is a file" refuses 1 "cannot be written" "$balloon" stability --quick --out "$scratch/o/map.csv"
 
 finish
