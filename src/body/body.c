@@ -156,6 +156,16 @@ void body_tie(Body* body, int particle, const double anchor[3], double stiffness
     };
 }
 
+static void push(real4* restrict v, const real4* restrict f, const real* restrict inverse_mass,
+                 int count, real h) {
+    for (int i = 0; i < count; i++)
+        v[i] += (h * inverse_mass[i]) * f[i];
+}
+
+void body_push(Body* body, double h) {
+    push(body->v, body->f, body->inverse_mass, body->count, (real)h);
+}
+
 static void drift(real4* restrict x, const real4* restrict v, int count, real h) {
     for (int i = 0; i < count; i++)
         x[i] += h * v[i];

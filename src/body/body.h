@@ -84,6 +84,9 @@ void body_inflate(Body* body, const Inflation* inflation);
 /// Tie a string of `slack` times the present distance from a particle to a fixed point.
 void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack);
 
+/// v' = v + h f / m.
+void body_push(Body* body, double h);
+
 /// x' = x + h v'.
 void body_drift(Body* body, double h);
 

@@ -110,7 +110,7 @@ static double timed_step(World* world) {
         collide_drift(&world->collide, drift);
         contacts += now() - start;
 
-        body_drift(body, drift);
+        world->method->drift(body, drift);
         h -= drift;
     }
     return contacts;

@@ -11,16 +11,10 @@
 #include "force/force.h"
 #include "solve/method.h"
 
-static void push(real4* restrict v, const real4* restrict f, const real* restrict inverse_mass,
-                 int count, real h) {
-    for (int i = 0; i < count; i++)
-        v[i] += (h * inverse_mass[i]) * f[i];
-}
-
 static bool kick(Body* body, void* room, double h, Effort* effort) {
     (void)room, (void)effort;
     force_sum(body);
-    push(body->v, body->f, body->inverse_mass, body->count, (real)h);
+    body_push(body, h);
     return true;
 }
 
@@ -36,5 +30,6 @@ const Method method_euler = {
     .name = "euler",
     .about = "semi-implicit Euler, order 1: all forces, then all particles",
     .kick = kick,
+    .drift = body_drift,
     .limit = limit,
 };

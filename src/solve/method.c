@@ -5,7 +5,7 @@
 
 const char* const step_start_name[STEP_STARTS] = {"inertia", "rest"};
 
-const Method* const method_table[] = {&method_euler, &method_newton};
+const Method* const method_table[] = {&method_euler, &method_newton, &method_forward};
 const int method_count = sizeof method_table / sizeof *method_table;
 
 const Method* method_find(const char* name) {
@@ -17,12 +17,18 @@ const char* method_names(void) {
     return table_names(method_table, method_count, names, sizeof names);
 }
 
-/// Largest damping rate c/m over the particles [1/s].
-static double damping_rate(const Body* body) {
-    double rate = 0;
-    for (int i = 0; i < body->count; i++)
-        rate = fmax(rate, body_drag(body, i) * (double)body->inverse_mass[i]);
-    return rate;
+/// Damping rates c/m over the particles that move [1/s].
+static void damping_rates(const Body* body, double* least, double* most) {
+    *least = INFINITY;
+    *most = 0;
+    for (int i = 0; i < body->count; i++) {
+        if (body->inverse_mass[i] <= 0)
+            continue;
+        const double rate = body_drag(body, i) * (double)body->inverse_mass[i];
+        *least = fmin(*least, rate);
+        *most = fmax(*most, rate);
+    }
+    *least = fmin(*least, *most); // where nothing moves
 }
 
 double method_bound(const Method* method, const Body* body) {
@@ -32,5 +38,7 @@ double method_bound(const Method* method, const Body* body) {
     for (int k = 0; k < force_count; k++)
         if (force_table[k]->bound && force_table[k]->present(body))
             w2 += force_table[k]->bound(body);
-    return method->limit(w2, damping_rate(body));
+    double least, most;
+    damping_rates(body, &least, &most);
+    return fmin(method->limit(w2, least), method->limit(w2, most));
 }

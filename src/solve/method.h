@@ -1,9 +1,10 @@
 /// Methods of time stepping: a table, one file and one row each.
 ///
-/// A step is a kick and a drift. The method's kick gives the velocities at the end of the step
-/// under the forces that the scene lists; corrections and contacts then have their say on them; the
-/// drift x' = x + h v' is the same for all (body_drift). A method knows forces only through the
-/// force table, so a new force serves every method.
+/// A step is a kick and a drift. The kick gives the velocities with which the particles are to
+/// drift: under the forces that the scene lists, those at the end of the step (of `forward` those
+/// at its start). Corrections and contacts then have their say on them; the drift moves the
+/// particles, x' = x + h v'. `forward`, `euler` and `newton` know forces only through the force
+/// table, so a new force serves them all.
 #ifndef BALLOON_SOLVE_METHOD_H
 #define BALLOON_SOLVE_METHOD_H
 
@@ -43,15 +44,18 @@ typedef struct Method {
     void* (*open)(Body* body, const Solver* solver);
     void (*close)(void* room);
 
-    /// Velocities after h. False, and nothing changed, where the step was not solved.
+    /// Velocities of the coming drift. False, and nothing changed, where the step was not solved.
     bool (*kick)(Body* body, void* room, double h, Effort* effort);
 
+    /// Positions after h, and what then is left to do to the velocities. Most take body_drift.
+    void (*drift)(Body* body, double h);
+
     /// Largest stable step [s] for the largest squared frequency w2 [1/s^2] and the damping rate
-    /// gamma = c/m [1/s]; INFINITY where there is none.
+    /// gamma = c/m [1/s]; INFINITY where there is none, 0 where no step is stable.
     double (*limit)(double w2, double gamma);
 } Method;
 
-extern const Method method_euler, method_newton;
+extern const Method method_euler, method_forward, method_newton;
 
 extern const Method* const method_table[];
 extern const int method_count;
@@ -63,7 +67,8 @@ const Method* method_find(const char* name);
 const char* method_names(void);
 
 /// The bound that this program computes for a body: the method's limit for the sum of all forces'
-/// bounds on the squared frequency (never less than the true one) and the damping.
+/// bounds on the squared frequency (never less than the true one) and the damping, the least and
+/// the largest over the particles: every mode's lies between them.
 double method_bound(const Method* method, const Body* body);
 
 #endif

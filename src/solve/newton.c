@@ -329,5 +329,6 @@ const Method method_newton = {
     .open = open,
     .close = close,
     .kick = kick,
+    .drift = body_drift,
     .limit = limit,
 };

@@ -49,6 +49,14 @@ void guard_look(World* world) {
 
     int balloon;
     world->bound = smallest_bound(world, &balloon);
+    if (world->bound <= 0) {
+        halt(world, balloon, NONE);
+        snprintf(world->blowup.text, sizeof world->blowup.text,
+                 "balloon %d (%s): method '%s' is stable at no step, however small, where there is "
+                 "no damping; give the balloon some, take another --method, or --guard off",
+                 balloon, world->balloon[balloon].def->model, world->method->name);
+        return;
+    }
     const double parts = ceil(world->step / world->bound);
     if (world->def.guard == GUARD_STOP && parts > 1) {
         refuse(world, balloon, "take a smaller --step, or --guard split");

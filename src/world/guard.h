@@ -2,8 +2,9 @@
 ///
 /// The bound of semi-implicit Euler for the largest squared frequency w^2 and the damping rate
 /// g = c/m is h = (-g + sqrt(g^2 + 4 w^2)) / w^2 (solve/method.h). Where the scene's step is above
-/// it, `split` divides the step into equal substeps, `stop` refuses, `off` lets it run. The bound
-/// is taken again every GUARD_INTERVAL steps, for it moves with the pressure.
+/// it, `split` divides the step into equal substeps, `stop` refuses, `off` lets it run; where no
+/// step is stable, as of `forward` without damping, both refuse. The bound is taken again every
+/// GUARD_INTERVAL steps, for it moves with the pressure.
 ///
 /// A state is bad when a particle's position is not finite, or when in one drift it moves by more
 /// than ten times the balloon's first size against the balloon's mean: found at that step in every

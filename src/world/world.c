@@ -156,7 +156,7 @@ static void advance(World* world, double h) {
         const double drift = collide_velocities(&world->collide, pace);
         collide_drift(&world->collide, drift);
         for (int b = 0; b < world->balloon_count; b++) {
-            body_drift(&world->balloon[b].body, drift);
+            world->method->drift(&world->balloon[b].body, drift);
             preserve_volume(&world->balloon[b].preserve, &world->balloon[b].body, drift);
         }
         collide_penalty(&world->collide, drift);

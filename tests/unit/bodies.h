@@ -43,10 +43,16 @@ static inline void rubber_on(Body* body, const Material* material, double thickn
     free(h);
 }
 
-/// One step of a method: kick and drift.
-static inline void step_of(const Method* method, Body* body, double h) {
-    method->kick(body, NULL, h, &(Effort){0});
-    body_drift(body, h);
+/// Steps of a method, each a kick and a drift.
+static inline void steps_of(const Method* method, Body* body, const Solver* solver, double h,
+                            int count) {
+    void* room = method->open ? method->open(body, solver) : NULL;
+    for (int n = 0; n < count; n++) {
+        assert_true(method->kick(body, room, h, &(Effort){0}));
+        method->drift(body, h);
+    }
+    if (method->close)
+        method->close(room);
 }
 
 /// Every particle moved by up to `by` in each direction, the same every time.

@@ -5,8 +5,7 @@
 #include "solve/method.h"
 
 static void step(Body* body, double h, int count) {
-    for (int n = 0; n < count; n++)
-        step_of(&method_euler, body, h);
+    steps_of(&method_euler, body, &(Solver){0}, h, count);
 }
 
 /// x_n = -g h^2 n (n + 1) / 2 exactly.

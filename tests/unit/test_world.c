@@ -232,6 +232,31 @@ static void stop_refuses_a_step_above_the_bound(void** state) {
     world_close(&world);
 }
 
+/// Of `forward` no step is stable without damping, and with it few are.
+static void no_split_makes_up_for_what_is_never_stable(void** state) {
+    (void)state;
+    World world;
+    const char* undamped = "balloons.0.damping.coefficient=0";
+    WORLD_OF(&world, "cube-sphere:3", "method=forward", undamped);
+    run_for(&world, 0.1);
+    assert_true(world.blowup.halted);
+    assert_int_equal(world.blowup.step, 0);
+    assert_non_null(strstr(world.blowup.text, "stable at no step"));
+    world_close(&world);
+
+    WORLD_OF(&world, "cube-sphere:3", "method=forward", undamped, "guard=off");
+    run_for(&world, 5);
+    assert_true(world.blowup.halted);
+    assert_non_null(strstr(world.blowup.text, "went bad"));
+    world_close(&world);
+
+    WORLD_OF(&world, "cube-sphere:3", "method=forward", "balloons.0.damping.coefficient=0.05");
+    run_for(&world, 1);
+    assert_false(world.blowup.halted);
+    assert_true(world.substeps > 1);
+    world_close(&world);
+}
+
 static void blow_up_is_named_and_survived(void** state) {
     (void)state;
     World world;
@@ -296,6 +321,7 @@ int main(void) {
         cmocka_unit_test(events_may_set_numbers),
         cmocka_unit_test(split_steps_are_smaller_steps),
         cmocka_unit_test(stop_refuses_a_step_above_the_bound),
+        cmocka_unit_test(no_split_makes_up_for_what_is_never_stable),
         cmocka_unit_test(blow_up_is_named_and_survived),
         cmocka_unit_test(total_energy_stays),
         cmocka_unit_test(tether_bears_the_lift),
