@@ -30,6 +30,7 @@ typedef struct String {
     real4 anchor;     ///< [m]
     real stiffness;   ///< [N/m]
     real free_length; ///< [m]
+    real4 impulse;    ///< h^2 times its pull in the last step, of a method that finds it [kg m]
 } String;
 
 typedef struct Body {

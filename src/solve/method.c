@@ -5,7 +5,7 @@
 
 const char* const step_start_name[STEP_STARTS] = {"inertia", "rest"};
 
-const Method* const method_table[] = {&method_euler, &method_newton, &method_forward};
+const Method* const method_table[] = {&method_euler, &method_newton, &method_forward, &method_xpbd};
 const int method_count = sizeof method_table / sizeof *method_table;
 
 const Method* method_find(const char* name) {
@@ -15,6 +15,11 @@ const Method* method_find(const char* name) {
 const char* method_names(void) {
     static char names[256];
     return table_names(method_table, method_count, names, sizeof names);
+}
+
+double method_unlimited(double w2, double gamma) {
+    (void)w2, (void)gamma;
+    return INFINITY;
 }
 
 /// Damping rates c/m over the particles that move [1/s].
@@ -32,7 +37,7 @@ static void damping_rates(const Body* body, double* least, double* most) {
 }
 
 double method_bound(const Method* method, const Body* body) {
-    if (method->limit(INFINITY, INFINITY) == INFINITY)
+    if (method->limit == method_unlimited)
         return INFINITY;
     double w2 = 0;
     for (int k = 0; k < force_count; k++)

@@ -4,7 +4,8 @@
 /// drift: under the forces that the scene lists, those at the end of the step (of `forward` those
 /// at its start). Corrections and contacts then have their say on them; the drift moves the
 /// particles, x' = x + h v'. `forward`, `euler` and `newton` know forces only through the force
-/// table, so a new force serves them all.
+/// table, so a new force serves them all; methods of constraints (solve/predict.h) know springs,
+/// strings and gas themselves, and refuse skins that are something else.
 #ifndef BALLOON_SOLVE_METHOD_H
 #define BALLOON_SOLVE_METHOD_H
 
@@ -20,7 +21,8 @@ extern const char* const step_start_name[STEP_STARTS];
 
 /// What a scene may say of how a step is solved; 0: the method's own.
 typedef struct Solver {
-    int iterations;          ///< most of a step; with a tolerance below 0, exactly as many
+    int iterations;          ///< most of a step; exactly as many with a tolerance below 0, and of a
+                             ///< method that does not look at what is left (xpbd)
     double tolerance;        ///< left of the step's equation, relative [1]; below 0: do not look
     double linear_tolerance; ///< left of each linear equation, relative [1]
     StepStart start;
@@ -55,7 +57,7 @@ typedef struct Method {
     double (*limit)(double w2, double gamma);
 } Method;
 
-extern const Method method_euler, method_forward, method_newton;
+extern const Method method_euler, method_forward, method_newton, method_xpbd;
 
 extern const Method* const method_table[];
 extern const int method_count;
@@ -65,6 +67,9 @@ const Method* method_find(const char* name);
 
 /// Names of all methods, "euler, …", for sentences.
 const char* method_names(void);
+
+/// The limit of a method that is stable at every step: INFINITY.
+double method_unlimited(double w2, double gamma);
 
 /// The bound that this program computes for a body: the method's limit for the sum of all forces'
 /// bounds on the squared frequency (never less than the true one) and the damping, the least and

@@ -318,11 +318,6 @@ static bool kick(Body* body, void* self, double h, Effort* effort) {
     return solved;
 }
 
-static double limit(double w2, double gamma) {
-    (void)w2, (void)gamma;
-    return INFINITY;
-}
-
 const Method method_newton = {
     .name = "newton",
     .about = "backward Euler by Newton and conjugate gradients, order 1, any step",
@@ -330,5 +325,5 @@ const Method method_newton = {
     .close = close,
     .kick = kick,
     .drift = body_drift,
-    .limit = limit,
+    .limit = method_unlimited,
 };

@@ -37,15 +37,62 @@ void* __wrap_aligned_alloc(size_t alignment, size_t size) {
 
 static void step_allocates_nothing(void** state) {
     (void)state;
-    World world;
-    WORLD_OF(&world, "cube-sphere:6",
-             "balloons.0.correction={structural: 0.1, shear: 0.1, flexion: 0.1, tarantino: true}",
-             "balloons.0.inflation.law=gas", "balloons.0.inflation.ambient=100");
-    const int before = asked;
-    assert_true(before > 0);
-    run_for(&world, 0.2);
-    assert_int_equal(asked, before);
-    world_close(&world);
+    for (int m = 0; m < method_count; m++) {
+        char method[64];
+        snprintf(method, sizeof method, "method=%s", method_table[m]->name);
+        World world;
+        WORLD_OF(
+            &world, "cube-sphere:6", method, "guard=off",
+            "balloons.0.correction={structural: 0.1, shear: 0.1, flexion: 0.1, tarantino: true}",
+            "balloons.0.inflation.law=gas", "balloons.0.inflation.ambient=100");
+        const int before = asked;
+        assert_true(before > 0);
+        run_for(&world, 0.2);
+        assert_int_equal(asked, before);
+        world_close(&world);
+    }
+}
+
+/// Which skins a method takes, and that it says so of the others.
+static void methods_refuse_what_they_do_not_take(void** state) {
+    (void)state;
+    static const char* const skin[] = {
+        "mass: {per_particle: 1e-3}, skin: {springs: {structural: 50, shear: 10}}",
+        "mass: {per_particle: 1e-3}, skin: {springs: {structural: 50, law: rubber}}",
+        "mass: {per_particle: 1e-3}, skin: {springs: {structural: 50, torsion: 0.1}}",
+        "skin: {membrane: {material: neo-hookean, young: 1e3, density: 1e3, thickness: 1e-3}}",
+    };
+    enum { SKINS = sizeof skin / sizeof *skin };
+    static const struct {
+        const char* method;
+        bool takes[SKINS];
+    } row[] = {
+        {"euler", {true, true, true, true}},
+        {"newton", {true, true, true, true}},
+        {"forward", {true, true, true, true}},
+        {"xpbd", {true, true, false, false}},
+    };
+    const int rows = sizeof row / sizeof *row;
+    assert_int_equal(rows, method_count);
+    for (int r = 0; r < rows; r++)
+        for (int k = 0; k < SKINS; k++) {
+            char method[64], balloons[256];
+            snprintf(method, sizeof method, "method=%s", row[r].method);
+            snprintf(balloons, sizeof balloons, "balloons=[{model: cube-sphere:3, %s}]", skin[k]);
+            const SceneSet set[] = {{method}, {balloons}};
+            WorldDef def;
+            World world;
+            Fault fault = {0};
+            if (!scene_load("cube", set, 2, &def, &fault))
+                fail_msg("%s", fault.text);
+            const bool taken = world_open(&world, &def, &fault);
+            if (taken != row[r].takes[k])
+                fail_msg("%s, %s: %s", row[r].method, skin[k], fault.text);
+            if (taken)
+                world_close(&world);
+            else
+                assert_non_null(strstr(fault.text, "takes"));
+        }
 }
 
 static uint64_t played(const char* key, long first, long last) {
@@ -312,6 +359,7 @@ static void tether_bears_the_lift(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(step_allocates_nothing),
+        cmocka_unit_test(methods_refuse_what_they_do_not_take),
         cmocka_unit_test(same_input_gives_same_bits),
         cmocka_unit_test(reset_restores_everything),
         cmocka_unit_test(keys_blow_up_to_their_limits),

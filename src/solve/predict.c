@@ -1,0 +1,86 @@
+#include "solve/predict.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "force/force.h"
+#include "mesh/measure.h"
+
+const char* predict_refuses(const Body* body) {
+    if (body->membrane.count > 0)
+        return "takes skins of springs, no membrane";
+    if (body->torsion.count > 0)
+        return "takes no torsion springs";
+    return NULL;
+}
+
+void predict_open(Predict* predict, const Body* body) {
+    *predict = (Predict){
+        .u = new_array(real4, body->count),
+        .ahead = new_array(real4, body->count),
+        .weight = new_array(real, body->count),
+    };
+}
+
+static bool has_gas(const Body* body) {
+    return body->inflation.law == INFLATE_GAS;
+}
+
+/// Constraints, and what is in the mass.
+static bool is_within(const Body* body, const Force* force) {
+    return force == &force_springs || force == &force_strings || force == &force_damping ||
+           (force == &force_inflation && has_gas(body));
+}
+
+/// Where it would go by itself; where it is, if that would turn it inside out.
+static void go_ahead(Predict* predict, const Body* body) {
+    for (int i = 0; i < body->count; i++)
+        predict->ahead[i] = body->x[i] + predict->u[i];
+    if (has_gas(body) && !(measure_volume(body->mesh, predict->ahead) > 0))
+        memcpy(predict->ahead, body->x, (size_t)body->count * sizeof *body->x);
+}
+
+void predict_begin(Predict* predict, Body* body, double h) {
+    for (int i = 0; i < body->count; i++) {
+        const real mass = body->mass[i] + (real)(h * body_drag(body, i));
+        predict->weight[i] = body->inverse_mass[i] > 0 ? 1 / mass : 0;
+        predict->u[i] = ((real)h * predict->weight[i] * body->mass[i]) * body->v[i];
+    }
+    go_ahead(predict, body);
+
+    // forces there: the body is lent those positions
+    real4* const x = body->x;
+    body->x = predict->ahead;
+    memset(body->f, 0, (size_t)body->count * sizeof *body->f);
+    for (int k = 0; k < force_count; k++)
+        if (force_table[k]->present(body) && !is_within(body, force_table[k]))
+            force_table[k]->add(body);
+    if (has_gas(body))
+        measure_volume_gradient(body->mesh, body->x, body->inflation.gradient);
+    body->x = x;
+
+    for (int i = 0; i < body->count; i++)
+        predict->u[i] += ((real)(h * h) * predict->weight[i]) * body->f[i];
+}
+
+double predict_volume(Predict* predict, const Body* body) {
+    for (int i = 0; i < body->count; i++)
+        predict->ahead[i] = body->x[i] + predict->u[i];
+    return measure_volume(body->mesh, predict->ahead);
+}
+
+void predict_end(const Predict* predict, Body* body, double h) {
+    for (int i = 0; i < body->count; i++) {
+        const real4 v = predict->u[i] / (real)h;
+        body->f[i] = (body->mass[i] / (real)h) * (v - body->v[i]);
+        body->v[i] = v;
+    }
+}
+
+void predict_close(Predict* predict) {
+    free(predict->u);
+    free(predict->ahead);
+    free(predict->weight);
+    *predict = (Predict){0};
+}

@@ -1,0 +1,201 @@
+/// Extended position-based dynamics: backward Euler by one constraint after the other.
+///
+///     predict   u, where the particles would go without constraints (solve/predict.h)
+///     relax     for each constraint of energy E = C^2 / (2 a), with its impulse P of this step,
+///     what
+///               takes P to -h^2 dE/dx to first order: u += w dP, w = 1 / (m + h c)
+///     v' = u / h
+///
+/// Constraints are taken in the springs' order, then strings, then the gas; a round of all is an
+/// iteration, and a step makes as many as the scene says (1, with small steps instead). Where
+/// rounds end early, stiffness is what got through: it depends on iterations, step and mesh. Where
+/// they do not, the step is backward Euler's. Order 1; never unstable; linear momentum to rounding,
+/// angular momentum to order. Sources: M. Macklin, M. Mueller, N. Chentanez, XPBD: position-based
+/// simulation of compliant constrained dynamics, 2016; M. Macklin et al., Small steps in physics
+/// simulation, 2019.
+///
+/// springs    with d the length, n the direction, l = d / rest, a = 1/k and W the sum of both w
+///
+///                C = d - rest                                               hooke, and l < 1
+///                C = rest (1 - l^-2) sqrt((2 l^2 + 1) / 12)                 rubber
+///                C' = l (1 + l^-2 + l^-4) / (6 sqrt((2 l^2 + 1) / 12))      C C' k is its pull
+///                dP = -(P.n + h^2 k C C') n / (1 + h^2 k C'^2 W)
+///                     - (P - P.n n) / (1 + h^2 (k C C' / d) W)
+///
+///            From P = 0 that is the papers' step, with P.n = C' times their multiplier. They go on
+///            along the n of each round; taking back what has turned away costs nothing and leaves
+///            nothing wrong in the end.
+/// strings    C = d - free length; P pulls, or is 0
+/// gas        P = h^2 p dV/dx, with p of the volume V' to which it brings the skin, exactly:
+///            V' = V + |dV/dx|^2_w (h^2 p(V') - L), L what it has pushed so far
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "solve/method.h"
+#include "solve/predict.h"
+
+enum { ITERATIONS = 1, ROOT_MOST = 100 };
+
+/// Of the first volume, where a search for V' begins if there is less. [1]
+static const double least_volume = 1e-6;
+
+typedef struct Room {
+    int iterations;
+    Predict predict;
+    real4* impulse; ///< [springs] P, on the second end [kg m]
+    double gas;     ///< L [kg/m]
+} Room;
+
+static void* open(Body* body, const Solver* solver) {
+    Room* room = new_array(Room, 1);
+    room->iterations = solver->iterations > 0 ? solver->iterations : ITERATIONS;
+    room->impulse = new_array(real4, body->springs.count);
+    predict_open(&room->predict, body);
+    return room;
+}
+
+static void close(void* self) {
+    Room* room = self;
+    if (!room)
+        return;
+    predict_close(&room->predict);
+    free(room->impulse);
+    free(room);
+}
+
+/// A constraint now: the direction in which its length grows, its pull over the stiffness, and
+/// how that grows.
+typedef struct Stretched {
+    real4 n;
+    real pull, slope; ///< C C' [m], C'^2 [1]
+    real now;         ///< length [m]
+} Stretched;
+
+static inline Stretched stretched(real4 d, real rest, bool rubber) {
+    const real now = length(d), over = now - rest;
+    Stretched s = {.n = d / now, .pull = over, .slope = 1, .now = now};
+    if (rubber && over > 0) {
+        const real l = now / rest, r2 = 1 / (l * l), root = (2 * l * l + 1) / 12;
+        const real c1 = l * (1 + r2 + r2 * r2) / 6; // C' root^(1/2)
+        s.pull = rest * (1 - r2) * c1;
+        s.slope = c1 * c1 / root;
+    }
+    return s;
+}
+
+/// dP of a constraint that has given P so far, `stiff` = h^2 k.
+static inline real4 change(const Stretched* s, real stiff, real weight, real4 given) {
+    const real along = dot(given, s->n);
+    const real4 aside = given - along * s->n;
+    const real turned = real_max(stiff * s->pull / s->now, 0);
+    return -((along + stiff * s->pull) / (1 + stiff * s->slope * weight)) * s->n -
+           aside / (1 + turned * weight);
+}
+
+static void relax_springs(const Springs* springs, const real4* restrict x,
+                          const real* restrict weight, real h2, real4* restrict u,
+                          real4* restrict impulse) {
+    const bool rubber = springs->law == LAW_RUBBER;
+    for (int s = 0; s < springs->count; s++) {
+        const int i = springs->end[s][0], j = springs->end[s][1];
+        const real4 d = (x[j] - x[i]) + (u[j] - u[i]);
+        if (!(dot(d, d) > 0)) // it pulls nowhere
+            continue;
+        const Stretched now = stretched(d, springs->rest[s], rubber);
+        const real4 by = change(&now, h2 * springs->active[s], weight[i] + weight[j], impulse[s]);
+        impulse[s] += by;
+        u[i] -= weight[i] * by;
+        u[j] += weight[j] * by;
+    }
+}
+
+static void relax_strings(Body* body, const real* weight, real h2, real4* u) {
+    for (int k = 0; k < body->string_count; k++) {
+        String* string = &body->string[k];
+        const int i = string->particle;
+        const real4 d = (body->x[i] - string->anchor) + u[i];
+        if (!(dot(d, d) > 0))
+            continue;
+        const Stretched now = stretched(d, string->free_length, false);
+        real4 next =
+            string->impulse + change(&now, h2 * string->stiffness, weight[i], string->impulse);
+        if (dot(next, now.n) > 0) // it would push
+            next = (real4){0, 0, 0, 0};
+        u[i] += weight[i] * (next - string->impulse);
+        string->impulse = next;
+    }
+}
+
+/// V': what is to be zero rises with it and bends down, so Newton's method comes up to it from
+/// below, and halves its way there from above.
+static double volume_after(const Inflation* gas, double volume, double weight, double h2,
+                           double given) {
+    double after = fmax(volume, least_volume * gas->first_volume);
+    for (int n = 0; n < ROOT_MOST; n++) {
+        const double over = after - volume - weight * (h2 * gas_pressure(gas, after) - given);
+        const double next = after - over / (1 - weight * h2 * gas_slope(gas, after));
+        const double moved = next > 0 ? next - after : -after / 2;
+        after += moved;
+        if (!(fabs(moved) > 1e-15 * after))
+            break;
+    }
+    return after;
+}
+
+static void relax_gas(Body* body, Room* room, double weight, double h2) {
+    Inflation* gas = &body->inflation;
+    gas->volume = predict_volume(&room->predict, body);
+    const double after = volume_after(gas, gas->volume, weight, h2, room->gas);
+    const double next = h2 * gas_pressure(gas, after);
+    const real by = (real)(next - room->gas);
+    room->gas = next;
+    for (int i = 0; i < body->count; i++)
+        room->predict.u[i] += (room->predict.weight[i] * by) * gas->gradient[i];
+}
+
+/// |dV/dx|^2_w
+static double gas_weight(const Body* body, const real* weight) {
+    double sum = 0;
+    for (int i = 0; i < body->count; i++) {
+        const real4 g = body->inflation.gradient[i];
+        sum += (double)(weight[i] * dot(g, g));
+    }
+    return sum;
+}
+
+static bool kick(Body* body, void* self, double h, Effort* effort) {
+    Room* room = self;
+    Predict* predict = &room->predict;
+    const bool gas = body->inflation.law == INFLATE_GAS;
+    const double h2 = h * h;
+    *effort = (Effort){.iterations = room->iterations};
+
+    predict_begin(predict, body, h);
+    memset(room->impulse, 0, (size_t)body->springs.count * sizeof *room->impulse);
+    for (int k = 0; k < body->string_count; k++)
+        body->string[k].impulse = (real4){0, 0, 0, 0};
+    room->gas = 0;
+    const double gas_behind = gas ? gas_weight(body, predict->weight) : 0;
+
+    for (int n = 0; n < room->iterations; n++) {
+        relax_springs(&body->springs, body->x, predict->weight, (real)h2, predict->u,
+                      room->impulse);
+        relax_strings(body, predict->weight, (real)h2, predict->u);
+        if (gas)
+            relax_gas(body, room, gas_behind, h2);
+    }
+    predict_end(predict, body, h);
+    return true;
+}
+
+const Method method_xpbd = {
+    .name = "xpbd",
+    .about = "position-based constraints, order 1, any step; soft where iterations are few",
+    .refuses = predict_refuses,
+    .open = open,
+    .close = close,
+    .kick = kick,
+    .drift = body_drift,
+    .limit = method_unlimited,
+};
