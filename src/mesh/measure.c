@@ -87,6 +87,28 @@ double measure_volume_gradient(const Mesh* mesh, const real4* x, real4* gradient
            add_gradient((const int(*)[4])mesh->face, mesh->face_count, mesh->closed, x, gradient);
 }
 
+double4 measure_volume_gradient_at(const Mesh* mesh, const real4* x, int point) {
+    double4 sum = {0, 0, 0, 0};
+    for (int k = mesh->point_face_from[point]; k < mesh->point_face_from[point + 1]; k++) {
+        const int* face = mesh->face[mesh->point_face[k]];
+        const Facet facet = facet_now(x, face);
+        const double4* corner = facet.corner;
+        const double4 area = facet_area(&facet);
+        if (facet.corners == 3) {
+            sum += area / 3;
+            continue;
+        }
+        int c = 0;
+        while (face[c] != point)
+            c++;
+        const double4 own =
+            mesh->closed ? dcross(corner[(c + 1) % 4] - corner[c], corner[(c + 3) % 4] - corner[c])
+                         : area;
+        sum += (2 * area + own) / 12;
+    }
+    return sum;
+}
+
 /// The change of the cross product of two edges as their ends move.
 static inline real4 cross_change(real4 a, real4 da, real4 b, real4 db) {
     return cross_lanes(da, b) + cross_lanes(a, db);

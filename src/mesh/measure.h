@@ -24,6 +24,9 @@ double measure_volume(const Mesh* mesh, const real4* x);
 /// gradient[i] = dV/dx_i, [point_count], overwritten. Returns the area as measure_area does.
 double measure_volume_gradient(const Mesh* mesh, const real4* x, real4* gradient);
 
+/// dV/dx_i of one point, in double.
+double4 measure_volume_gradient_at(const Mesh* mesh, const real4* x, int point);
+
 /// out += factor (d2V/dx2) d, the change of the gradient when the points move by d.
 void measure_volume_product(const Mesh* mesh, const real4* x, const real4* d, real factor,
                             real4* out);

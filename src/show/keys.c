@@ -24,7 +24,7 @@ static void faster(App* app) {
 }
 
 static void next_mode(App* app) {
-    app->mode = mode_after(app->mode);
+    app->mode = mode_after(app->mode, app->world);
     app_say(app, "%s: %s", app->mode->name, app->mode->about);
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "view/field.h"
 #include "view/mode.h"
 #include "view/rope.h"
 #include "view/spheres.h"
@@ -84,7 +85,7 @@ void picture_take(Picture* picture, const World* world, const Camera* camera, co
 
     for (int b = 0; b < world->balloon_count; b++) {
         PictureSkin* skin = &picture->skin[b];
-        skin->paint = mode->paint;
+        skin->paint = mode_fits(mode, &world->balloon[b]) ? mode->paint : PAINT_RUBBER;
         skin->selected = b == world->selected;
         surface_take(skin, &world->balloon[b]);
         rope_take(picture, &world->balloon[b]);
@@ -92,8 +93,10 @@ void picture_take(Picture* picture, const World* world, const Camera* camera, co
     bound(picture, world);
     spheres_take(picture, world);
 
-    if (mode->fill)
-        for (int b = 0; b < world->balloon_count; b++)
+    if (mode->measure)
+        field_take(picture, world, mode);
+    for (int b = 0; mode->fill && b < world->balloon_count; b++)
+        if (mode_fits(mode, &world->balloon[b]))
             mode->fill(picture, &picture->skin[b], &world->balloon[b]);
 }
 

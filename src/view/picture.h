@@ -33,6 +33,8 @@ typedef struct PictureSkin {
     float (*position)[3];     ///< [point_count]
     float (*normal)[3];       ///< [point_count] of unit length
     float* stretch;   ///< [point_count] length over rest length, 1 at rest; for PAINT_RUBBER
+    float* field;     ///< [point_count] what a display mode shows on a scale of colours
+    float* weight;    ///< [point_count] room for means over what meets at a point
     float (*tint)[3]; ///< [point_count] linear colour 0…1; for PAINT_FIELD
     float color[3];   ///< linear colour of the unstretched rubber
     SkinPaint paint;
@@ -64,7 +66,8 @@ typedef struct Picture {
     PictureLine* line; ///< [line_room]
     int ball_count;
     int ball_room;
-    int ball_own; ///< of the room: for knots and display modes; the world's balls have the rest
+    float range[2]; ///< ends of the colours' scale in a mode that has one
+    int ball_own;   ///< of the room: for knots and display modes; the world's balls have the rest
     PictureBall* ball; ///< [ball_room]
     bool floor;
     float floor_height;

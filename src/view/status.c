@@ -29,9 +29,12 @@ static void time_rows(Panel* panel, const World* world, const Status* status) {
         panel_row(panel, "frame", "%.1f ms", status->frame_ms);
 }
 
-static void mode_row(Panel* panel, const Picture* picture, const Mode* mode) {
-    if (mode == &mode_stretch)
-        panel_row(panel, "shown", "stretch, 1 to %g", (double)mode_stretch_top(picture));
+static void mode_row(Panel* panel, const World* world, const Picture* picture, const Mode* mode) {
+    if (!mode_fits_any(mode, world))
+        panel_row(panel, "shown", "%s, which nothing here has", mode->name);
+    else if (mode->measure)
+        panel_row(panel, "shown", "%s, %g to %g%s", mode->name, (double)picture->range[0],
+                  (double)picture->range[1], mode->unit);
     else
         panel_row(panel, "shown", "%s", mode->name);
 }
@@ -106,7 +109,7 @@ void status_take(Panel* panel, const World* world, const Picture* picture, const
     panel->row_count = 0;
     title(panel, world);
     time_rows(panel, world, status);
-    mode_row(panel, picture, status->mode);
+    mode_row(panel, world, picture, status->mode);
     balloon_rows(panel, world);
     ball_rows(panel, world, status->hand);
     message(panel, world, status->message);

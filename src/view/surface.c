@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "view/color.h"
+#include "view/field.h"
 
 void surface_open(PictureSkin* skin, const Balloon* balloon) {
     const Mesh* mesh = &balloon->mesh;
@@ -15,6 +16,8 @@ void surface_open(PictureSkin* skin, const Balloon* balloon) {
         .position = new_array(float[3], mesh->point_count),
         .normal = new_array(float[3], mesh->point_count),
         .stretch = new_array(float, mesh->point_count),
+        .field = new_array(float, mesh->point_count),
+        .weight = new_array(float, mesh->point_count),
         .tint = new_array(float[3], mesh->point_count),
         .two_sided = !mesh->closed,
     };
@@ -72,7 +75,12 @@ static void normals(PictureSkin* skin, const Mesh* mesh, const Body* body) {
     }
 }
 
-static void stretches(PictureSkin* skin, const Mesh* mesh, const Body* body) {
+static FieldShare element_stretch(const Membrane* membrane, const real4* x, int e) {
+    const double share = membrane_share(membrane, e);
+    return (FieldShare){share * membrane_stretch(membrane, x, e), share};
+}
+
+static void edge_stretches(PictureSkin* skin, const Mesh* mesh, const Body* body) {
     memset(skin->stretch, 0, (size_t)skin->point_count * sizeof *skin->stretch);
     for (int e = 0; e < mesh->edge_count; e++) {
         const int a = mesh->edge[e][0], b = mesh->edge[e][1];
@@ -90,13 +98,18 @@ static void stretches(PictureSkin* skin, const Mesh* mesh, const Body* body) {
 void surface_take(PictureSkin* skin, const Balloon* balloon) {
     positions(skin, balloon->body.x);
     normals(skin, &balloon->mesh, &balloon->body);
-    stretches(skin, &balloon->mesh, &balloon->body);
+    if (balloon->body.membrane.count > 0)
+        field_of_elements(skin, &balloon->body, element_stretch, skin->stretch);
+    else
+        edge_stretches(skin, &balloon->mesh, &balloon->body);
 }
 
 void surface_close(PictureSkin* skin) {
     free(skin->position);
     free(skin->normal);
     free(skin->stretch);
+    free(skin->field);
+    free(skin->weight);
     free(skin->tint);
     *skin = (PictureSkin){0};
 }

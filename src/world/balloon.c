@@ -287,9 +287,13 @@ void balloon_fill(Balloon* balloon, double t) {
     balloon->body.inflation.amount = amount + balloon->hand;
 }
 
+double balloon_pressure(const Balloon* balloon) {
+    return inflation_pressure(&balloon->body);
+}
+
 /// Gas is let out in proportion to its gauge pressure, and none once that is gone.
 static double vented(const Balloon* balloon, double conductance, double seconds) {
-    return conductance * seconds * fmax(inflation_pressure(&balloon->body), 0);
+    return conductance * seconds * fmax(balloon_pressure(balloon), 0);
 }
 
 void balloon_blow(Balloon* balloon, double seconds) {

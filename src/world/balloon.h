@@ -38,6 +38,9 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, i
 /// The state as balloon_open made it: body, correction and the hand's amount.
 void balloon_reset(Balloon* balloon, const WorldDef* def);
 
+/// Gauge pressure on the skin now [Pa].
+double balloon_pressure(const Balloon* balloon);
+
 /// The inflation's amount at time t: what the scene gives and fills, and what the keys added.
 void balloon_fill(Balloon* balloon, double t);
 

@@ -71,10 +71,6 @@ static double area(const Balloon* balloon) {
     return measure_area(&balloon->mesh, balloon->body.x);
 }
 
-static double gauge_pressure(const Balloon* balloon) {
-    return inflation_pressure(&balloon->body);
-}
-
 static double lift(const Balloon* balloon) {
     const Body* body = &balloon->body;
     const double pushed = mass(body) * body_helium(body);
@@ -146,7 +142,7 @@ static const struct Column {
 } column_table[] = {
     {"volume", closed, volume},
     {"area", always, area},
-    {"gauge_pressure", inflated, gauge_pressure},
+    {"gauge_pressure", inflated, balloon_pressure},
     {"lift", lifted, lift},
     {"kinetic", always, kinetic},
     {"elastic", elastic_skin, elastic},

@@ -46,10 +46,15 @@ for film in mp4:11 webm:11 gif:14; do # a GIF plays at 25 a second: 11 frames of
         -show_entries stream=nb_read_frames -of csv=p=0 "$scratch/film.$kind" | tr -d ',')" = "${film#*:}"
 done
 
-# --- every display mode draws something of its own
+# --- every display mode draws something of its own, on springs or on rubber
 for mode in $("$balloon" list | sed -n '/^display modes/,$p' | awk 'NR > 1 { print $1 }'); do
-    render "$scratch/mode-$mode.png" 1 --mode "$mode"
-    ok "mode $mode draws" test "$(convert "$scratch/mode-$mode.png" -format '%k' info:)" -gt 500
+    scene=squirrel-inflates render "$scratch/mode-$mode.png" 1 --mode "$mode"
+    scene=peak render "$scratch/rubber-$mode.png" 1 --mode "$mode" \
+        --set 'balloons.0.skin.membrane.patches=[{at: [0, -0.1, 0], radius: 0.17, thickness: 1.2e-4}]'
+    cat "$scratch/rubber-$mode.png" >>"$scratch/mode-$mode.png"
+    for picture in mode rubber; do
+        ok "mode $mode draws $picture" test "$(convert "$scratch/$picture-$mode.png" -format '%k' info:)" -gt 500
+    done
 done
 ok "modes differ" test "$(md5sum "$scratch"/mode-*.png | awk '{ print $1 }' | sort -u | wc -l)" = \
     "$(ls "$scratch"/mode-*.png | wc -l)"

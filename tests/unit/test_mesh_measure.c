@@ -50,6 +50,25 @@ static void gradient_is_the_derivative_of_volume(void** state) {
     }
 }
 
+static void gradient_at_a_point_is_that_of_the_whole(void** state) {
+    (void)state;
+    static const char* const shapes[] = {"cube:3", "icosphere:2", "torus:9x7", "grid:5x4"};
+    for (size_t s = 0; s < sizeof shapes / sizeof *shapes; s++) {
+        Mesh mesh;
+        real4* x = warped_state(shapes[s], &mesh);
+        real4* gradient = new_array(real4, mesh.point_count);
+        measure_volume_gradient(&mesh, x, gradient);
+        for (int i = 0; i < mesh.point_count; i++) {
+            const double4 at = measure_volume_gradient_at(&mesh, x, i);
+            for (int k = 0; k < 3; k++) // sums of a few terms of size up to 1
+                assert_near(at[k], (double)gradient[i][k], TOLERANCE(1e-6, 1e-14));
+        }
+        free(gradient);
+        free(x);
+        mesh_free(&mesh);
+    }
+}
+
 /// Moving or turning a closed skin as a whole changes no volume: so the gas exerts no net force and
 /// no net torque. The sums run over some 200 terms of size up to 1, each rounded once or twice.
 static void closed_skin_feels_no_net_force_or_torque(void** state) {
@@ -176,6 +195,7 @@ static void distance_costs_no_digits(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gradient_is_the_derivative_of_volume),
+        cmocka_unit_test(gradient_at_a_point_is_that_of_the_whole),
         cmocka_unit_test(closed_skin_feels_no_net_force_or_torque),
         cmocka_unit_test(volume_is_a_third_of_its_gradient_along_x),
         cmocka_unit_test(gradient_returns_the_area),

@@ -1,12 +1,19 @@
 /// The picture: what is drawn follows from the world, in every display mode.
 #include "worlds.h"
 
+#include "force/force.h"
 #include "view/color.h"
+#include "view/field.h"
 #include "view/framing.h"
 #include "view/mode.h"
 #include "view/picture.h"
 #include "view/rope.h"
 #include "view/status.h"
+
+/// One balloon of rubber, as the words of a scene: `more` are further keys of the membrane.
+#define RUBBER(model, more)                                                                        \
+    "peak", "balloons=[{model: " model ", skin: {membrane: {material: neo-hookean, young: 1e6, "   \
+            "density: 1000, thickness: 3e-4" more "}}}]"
 
 typedef struct Studio {
     World world;
@@ -31,6 +38,13 @@ static void studio_close(Studio* studio) {
 
 static double dot3(const float* a, const float* b) {
     return (double)a[0] * (double)b[0] + (double)a[1] * (double)b[1] + (double)a[2] * (double)b[2];
+}
+
+static const char* row(const Panel* panel, const char* label) {
+    for (int r = 0; r < panel->row_count; r++)
+        if (strcmp(panel->row[r].label, label) == 0)
+            return panel->row[r].value;
+    return NULL;
 }
 
 static void normals_are_unit_and_point_outward(void** state) {
@@ -72,6 +86,137 @@ static void twice_the_size_is_a_stretch_of_two(void** state) {
     for (int i = 0; i < body->count; i++)
         assert_near((double)studio.picture.skin[0].stretch[i], 2, TOLERANCE(1e-5, 1e-6));
     studio_close(&studio);
+}
+
+/// The larger principal stretch of rubber, which edges alone would not tell: x is doubled, and the
+/// largest is 2 wherever the skin lies along x.
+static void rubber_shows_its_larger_principal_stretch(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, RUBBER("grid:5x5", ""));
+    Body* body = &studio.world.balloon[0].body;
+    for (int i = 0; i < body->count; i++)
+        body->x[i][0] *= 2;
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_stretch);
+    for (int i = 0; i < body->count; i++)
+        assert_near((double)studio.picture.skin[0].field[i], 2, TOLERANCE(1e-5, 1e-6));
+    studio_close(&studio);
+}
+
+/// Twice the size: rubber that keeps its volume element by element is a quarter as thick. Under
+/// the global rule the thickness is a state, and holds until volume preservation changes it.
+static void thickness_and_volume_ratio_follow_the_elements(void** state) {
+    (void)state;
+    for (int global = 0; global < 2; global++) {
+        Studio studio;
+        STUDIO(&studio, RUBBER("cube-sphere:4", ""),
+               global ? "balloons.0.skin.membrane.volume=global" : "balloons.0.turn=10");
+        Picture* picture = &studio.picture;
+        const Mode* mode[] = {&mode_thickness, &mode_volume_ratio};
+        const double at_rest[] = {0.3, 1};
+        const double twice[2][2] = {{0.3 / 4, 1}, {0.3, 4}};
+        Body* body = &studio.world.balloon[0].body;
+        for (int big = 0; big < 2; big++) {
+            for (int m = 0; m < 2; m++) {
+                picture_take(picture, &studio.world, &studio.camera, mode[m]);
+                const double want = big ? twice[global][m] : at_rest[m];
+                for (int i = 0; i < body->count; i++)
+                    assert_close((double)picture->skin[0].field[i], want, 2e-6); // float fields
+                assert_true((double)picture->range[0] <= want * (1 + 1e-4));
+                assert_true((double)picture->range[1] >= want * (1 - 1e-4));
+            }
+            for (int i = 0; i < body->count; i++)
+                body->x[i] *= 2;
+        }
+        studio_close(&studio);
+    }
+}
+
+/// A thin patch is darker than the rest. Its middle is the mean over elements whose own thickness
+/// is the mean of their corners: a little thicker than the patch's.
+static void a_thin_patch_is_shown(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio,
+           RUBBER("cube-sphere:16", ", patches: [{at: [0, 1, 0], radius: 0.5, thickness: 1e-4}]"));
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_thickness);
+    const PictureSkin* skin = &studio.picture.skin[0];
+    assert_near((double)studio.picture.range[1], 0.3, 1e-6);
+    int top = 0, bottom = 0;
+    for (int i = 0; i < skin->point_count; i++) {
+        top = skin->position[i][1] > skin->position[top][1] ? i : top;
+        bottom = skin->position[i][1] < skin->position[bottom][1] ? i : bottom;
+    }
+    assert_near((double)skin->field[top], 0.1, 0.03);
+    assert_near((double)skin->field[bottom], 0.3, 1e-6);
+    assert_true(studio.picture.range[0] <= skin->field[top]);
+    assert_less((double)skin->tint[top][1], (double)skin->tint[bottom][1]);
+    studio_close(&studio);
+}
+
+/// The push that is shown is the one that the force table adds.
+static void the_pressure_mode_shows_the_force_of_inflation(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "squirrel-inflates", "balloons.0.inflation={law: area, amount: 4}");
+    Body* body = &studio.world.balloon[0].body;
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_pressure);
+    memset(body->f, 0, (size_t)body->count * sizeof *body->f);
+    force_inflation.add(body);
+    double most = 0;
+    for (int i = 0; i < body->count; i++)
+        most = fmax(most, (double)length(body->f[i]));
+    for (int i = 0; i < body->count; i++)
+        // products of edges of a hundredth of the positions they are the differences of, in float
+        assert_near((double)studio.picture.skin[0].field[i], (double)length(body->f[i]),
+                    TOLERANCE(1e-4, 1e-6) * most);
+    assert_less(most, (double)studio.picture.range[1] * (1 + 1e-4));
+    assert_true(studio.picture.line_count > 0);
+    studio_close(&studio);
+}
+
+/// What a balloon does not have is not shown on it: it stays plain rubber, the key passes the mode
+/// by, and the status box says so where the mode was asked for.
+static void a_mode_of_rubber_passes_springs_by(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_thickness);
+    assert_int_equal(studio.picture.skin[0].paint, PAINT_RUBBER);
+    const Mode* mode = &mode_skin;
+    do {
+        assert_ptr_not_equal(mode, &mode_thickness);
+        assert_ptr_not_equal(mode, &mode_volume_ratio);
+        mode = mode_after(mode, &studio.world);
+    } while (mode != &mode_skin);
+
+    Panel panel = {0};
+    const Status status = {.mode = &mode_thickness, .slow = 1, .message = ""};
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&panel, "shown"), "thickness, which nothing here has");
+    studio_close(&studio);
+}
+
+static void a_scale_says_its_ends_and_unit(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, RUBBER("cube-sphere:4", ""));
+    Panel panel = {0};
+    const Status status = {.mode = &mode_thickness, .slow = 1, .message = ""};
+    picture_take(&studio.picture, &studio.world, &studio.camera, status.mode);
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&panel, "shown"), "thickness, 0.25 to 0.3 mm");
+    studio_close(&studio);
+}
+
+static void the_ends_of_a_scale_hold_what_is_between(void** state) {
+    (void)state;
+    for (double x = 1e-9; x < 1e9; x *= 1.0173) {
+        assert_true(field_above(x) >= x * (1 - 1e-4) && field_above(x) <= 1.34 * x);
+        assert_true(field_below(x) <= x * (1 + 1e-4) && field_below(x) >= x / 1.34);
+        assert_near(field_above(field_above(x)), field_above(x), 1e-12 * x);
+        assert_near(field_below(field_above(x)), field_above(x), 1e-12 * x);
+    }
 }
 
 static double distance(const float* a, const float* b) {
@@ -131,7 +276,7 @@ static bool finite3(const float* a) {
 
 static void every_mode_draws_finite_numbers(void** state) {
     (void)state;
-    static const char* const scene[] = {"tether", "grid:6x6", "cube", "squirrel.obj"};
+    static const char* const scene[] = {"tether", "grid:6x6", "cube", "squirrel.obj", "peak"};
     for (size_t s = 0; s < sizeof scene / sizeof *scene; s++) {
         Studio studio;
         STUDIO(&studio, scene[s]);
@@ -140,7 +285,8 @@ static void every_mode_draws_finite_numbers(void** state) {
         for (int m = 0; m < mode_count; m++) {
             const Picture* picture = &studio.picture;
             picture_take(&studio.picture, &studio.world, &studio.camera, mode_table[m]);
-            assert_int_equal(picture->skin[0].paint, mode_table[m]->paint);
+            if (mode_fits(mode_table[m], &studio.world.balloon[0]))
+                assert_int_equal(picture->skin[0].paint, mode_table[m]->paint);
             for (int i = 0; i < picture->skin[0].point_count; i++)
                 assert_true(finite3(picture->skin[0].tint[i]));
             for (int i = 0; i < picture->line_count; i++)
@@ -282,15 +428,20 @@ static void the_scale_of_colours_grows_brighter(void** state) {
 
 static void mode_names_are_found_and_walked_round(void** state) {
     (void)state;
+    Studio studio; // of springs and rubber, so that every mode fits
+    STUDIO(&studio, "two-joined",
+           "balloons.0.skin={springs: {structural: 1, shear: 1, flexion: 1}}",
+           "balloons.0.mass={per_particle: 0.001}");
     const Mode* mode = mode_table[0];
     for (int m = 0; m < mode_count; m++) {
         assert_ptr_equal(mode_find(mode_table[m]->name), mode_table[m]);
         assert_ptr_equal(mode, mode_table[m]);
         assert_non_null(strstr(mode_names(), mode->name));
-        mode = mode_after(mode);
+        mode = mode_after(mode, &studio.world);
     }
     assert_ptr_equal(mode, mode_table[0]);
     assert_null(mode_find("no such mode"));
+    studio_close(&studio);
 }
 
 static void a_bad_state_is_said_before_any_message(void** state) {
@@ -310,13 +461,6 @@ static void a_bad_state_is_said_before_any_message(void** state) {
     assert_string_equal(panel.message, "it went bad");
     assert_true(panel.alarm);
     studio_close(&studio);
-}
-
-static const char* row(const Panel* panel, const char* label) {
-    for (int r = 0; r < panel->row_count; r++)
-        if (strcmp(panel->row[r].label, label) == 0)
-            return panel->row[r].value;
-    return NULL;
 }
 
 static void balls_are_counted_and_a_pass_through_is_said(void** state) {
@@ -356,6 +500,13 @@ int main(void) {
         cmocka_unit_test(normals_are_unit_and_point_outward),
         cmocka_unit_test(at_rest_nothing_is_stretched),
         cmocka_unit_test(twice_the_size_is_a_stretch_of_two),
+        cmocka_unit_test(rubber_shows_its_larger_principal_stretch),
+        cmocka_unit_test(thickness_and_volume_ratio_follow_the_elements),
+        cmocka_unit_test(a_thin_patch_is_shown),
+        cmocka_unit_test(the_pressure_mode_shows_the_force_of_inflation),
+        cmocka_unit_test(a_mode_of_rubber_passes_springs_by),
+        cmocka_unit_test(a_scale_says_its_ends_and_unit),
+        cmocka_unit_test(the_ends_of_a_scale_hold_what_is_between),
         cmocka_unit_test(a_string_is_drawn_from_its_particle_to_its_fixed_end),
         cmocka_unit_test(a_slack_string_keeps_its_length),
         cmocka_unit_test(a_slack_string_lies_on_the_floor),

@@ -143,7 +143,7 @@ ok "a right drag pans" until_true moved 2000
 until_true still
 
 # --- every display mode draws something of its own
-for mode in quads springs forces stretch normals skin; do
+for mode in quads springs forces pressure stretch normals skin; do # those of rubber are passed by
     shot && cp "$file" "$scratch/before.png"
     xdotool key m
     ok "the mode key shows $mode" until_true moved 50

@@ -1,0 +1,64 @@
+#include "mesh/measure.h"
+#include "view/field.h"
+#include "view/mode.h"
+#include "view/stroke.h"
+
+// Figure 5 of the thin-shell paper: where the skin is strongly curved, the pushes on the faces
+// around a particle cancel in part, and it is pushed less.
+static const float LENGTH = 2.0f; // the longest hair [edge lengths]
+static const float WIDTH = 1.0f;  // [px at 720 lines]
+
+enum { HAIRS_MOST = 4000 }; ///< with more particles, hairs would hide the colours
+
+static bool fits(const Balloon* balloon) {
+    return balloon->body.inflation.law != INFLATE_NONE;
+}
+
+/// p dV/dx at a particle [N].
+static double4 push(const Balloon* balloon, double pressure, int i) {
+    return pressure * measure_volume_gradient_at(&balloon->mesh, balloon->body.x, i);
+}
+
+static void measure(PictureSkin* skin, const Balloon* balloon) {
+    const double pressure = balloon_pressure(balloon);
+    for (int i = 0; i < skin->point_count; i++)
+        skin->field[i] = (float)dlength(push(balloon, pressure, i));
+}
+
+static void range(double* low, double* high) {
+    *low = 0;
+    *high = *high > 0 ? field_above(*high) : 1;
+}
+
+static int lines(const Balloon* balloon) {
+    return balloon->mesh.point_count <= HAIRS_MOST ? balloon->mesh.point_count : 0;
+}
+
+static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
+    if (lines(balloon) == 0)
+        return;
+    const Stroke stroke = stroke_on(picture, skin, balloon);
+    const double pressure = balloon_pressure(balloon);
+    const double scale = (double)(LENGTH * stroke.grain / picture->range[1]);
+    for (int i = 0; i < skin->point_count; i++) {
+        if (stroke_hidden(&stroke, i))
+            continue;
+        const double4 hair = scale * push(balloon, pressure, i);
+        float tip[3];
+        for (int k = 0; k < 3; k++)
+            tip[k] = skin->position[i][k] + (float)hair[k];
+        picture_line(picture, skin->position[i], tip, STROKE_BLACK, stroke.thin * WIDTH);
+    }
+}
+
+const Mode mode_pressure = {
+    .name = "pressure",
+    .about = "the push of the pressure on each particle, as colour and as hairs",
+    .paint = PAINT_FIELD,
+    .fits = fits,
+    .measure = measure,
+    .range = range,
+    .unit = " N",
+    .fill = fill,
+    .lines = lines,
+};

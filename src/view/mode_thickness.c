@@ -1,0 +1,39 @@
+#include "view/field.h"
+#include "view/mode.h"
+
+static const double nothing = 1e-25; ///< [m^2]
+static const double least = 1e-6;    ///< the scale's upper end is no less [mm]
+
+static bool fits(const Balloon* balloon) {
+    return balloon->body.membrane.count > 0;
+}
+
+/// The rubber of the elements at a point over their area, in millimetres.
+static FieldShare element(const Membrane* membrane, const real4* x, int e) {
+    const double area = membrane_share(membrane, e) * membrane_area(membrane, x, e);
+    if (!(area > nothing)) // folded to a line: it counts only where nothing else does
+        return (FieldShare){1000 * nothing * (double)membrane->first[e], nothing};
+    return (FieldShare){1000 * membrane_thickness(membrane, x, e) * area, area};
+}
+
+static void measure(PictureSkin* skin, const Balloon* balloon) {
+    field_of_elements(skin, &balloon->body, element, skin->field);
+}
+
+static void range(double* low, double* high) {
+    // volume rule global lets thicknesses drift, below nothing too
+    *low = *low > 0 ? field_below(*low) : *low < 0 ? -field_above(-*low) : 0;
+    *high = field_above(fmax(*high, least));
+    if (*high <= *low) // one thickness everywhere, and on the series
+        *low = field_below(0.99 * *low);
+}
+
+const Mode mode_thickness = {
+    .name = "thickness",
+    .about = "how thick the rubber is, from dark (thin) to bright",
+    .paint = PAINT_FIELD,
+    .fits = fits,
+    .measure = measure,
+    .range = range,
+    .unit = " mm",
+};

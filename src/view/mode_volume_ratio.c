@@ -1,0 +1,36 @@
+#include "view/field.h"
+#include "view/mode.h"
+
+static const double LEAST = 0.001; ///< half a range is no less, so that rounding is not magnified
+
+static bool fits(const Balloon* balloon) {
+    return balloon->body.membrane.count > 0;
+}
+
+/// The rubber of the elements at a point now over that at rest.
+static FieldShare element(const Membrane* membrane, const real4* x, int e) {
+    const double area = membrane_share(membrane, e) * membrane_area(membrane, x, e);
+    const double now = area > 0 ? area * membrane_thickness(membrane, x, e) : 0;
+    return (FieldShare){now, (double)membrane->rest[e][3]};
+}
+
+static void measure(PictureSkin* skin, const Balloon* balloon) {
+    field_of_elements(skin, &balloon->body, element, skin->field);
+}
+
+/// As much below 1 as above it.
+static void range(double* low, double* high) {
+    const double half = field_above(fmax(fmax(1 - *low, *high - 1), LEAST));
+    *low = 1 - half;
+    *high = 1 + half;
+}
+
+const Mode mode_volume_ratio = {
+    .name = "volume-ratio",
+    .about = "rubber of the elements now over that at rest; only volume rule global lets it vary",
+    .paint = PAINT_FIELD,
+    .fits = fits,
+    .measure = measure,
+    .range = range,
+    .unit = "",
+};
