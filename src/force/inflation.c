@@ -119,8 +119,9 @@ static double bound(const Body* body) {
 }
 
 static Stencils stencils(const Body* body) {
-    const bool any = body->inflation.law != INFLATE_NONE;
-    return (Stencils){any ? body->mesh->face_count : 0, 4, (const int*)body->mesh->face};
+    if (body->inflation.law == INFLATE_NONE)
+        return (Stencils){0};
+    return (Stencils){body->mesh->face_count, 4, (const int*)body->mesh->face};
 }
 
 /// The matrix of d -> factor d x a.

@@ -64,7 +64,8 @@ static bool open_world(World* world, const char* scene, const SceneSet* set, int
     return scene_load(scene, all, count, &def, fault) && world_open(world, &def, fault);
 }
 
-/// Long steps of backward Euler damp everything: the world comes to where no net force is left.
+/// Long steps of backward Euler, each from rest, so that not even a spin is left: the world comes
+/// to where no net force is left.
 static bool relax(World* world, Fault* fault) {
     const Body* body = &world->balloon[0].body;
     world->step = 0.1;
@@ -73,6 +74,7 @@ static bool relax(World* world, Fault* fault) {
         double most = 0;
         for (int i = 0; i < body->count; i++)
             most = fmax(most, (double)length(body->v[i]));
+        memset(body->v, 0, (size_t)body->count * sizeof *body->v);
         if (most * world->step <= still * push_size * body->size)
             return true;
     }

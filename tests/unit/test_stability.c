@@ -83,6 +83,8 @@ static void no_step_below_the_bound_is_unstable(void** state) {
 #undef SET
     for (int m = 0; m < method_count; m++)
         for (int k = 0; k < 3 * 5 + 4 * 8; k++) {
+            if (method_table[m]->limit(INFINITY, INFINITY) == INFINITY)
+                continue; // any step: there is no bound
             const bool paper = k < 3 * 5;
             const char* skin = paper ? springs[k / 5] : rubber[(k - 15) / 8];
             const char* fill = paper ? blown[k % 5] : blown[(k - 15) % 8];
