@@ -6,6 +6,7 @@
 
 #include "force/force.h"
 #include "lab/bench.h"
+#include "lab/chart.h"
 #include "lab/stability.h"
 #include "mesh/load.h"
 #include "mesh/shape.h"
@@ -31,7 +32,7 @@ typedef struct Options {
     const char* csv;
     const char* obj;
     const char* mode;
-    bool hash, time, quiet, overlay, quick;
+    bool hash, time, quiet, overlay, quick, all;
     SceneSet set[SETS_MOST];
     int set_count;
     char typed[SETS_MOST][256]; ///< texts of the sets that options such as --step stand for
@@ -65,7 +66,8 @@ static const Option option_table[] = {
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping alone",            FLAG(time)},
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
-    {"--quick",     NULL,       "bench, stability: a thinned measurement",         FLAG(quick)},
+    {"--quick",     NULL,       "bench, chart, stability: a thinned measurement",  FLAG(quick)},
+    {"--all",       NULL,       "chart: every point there is",                     FLAG(all)},
     {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
     {"--step",      "S",        "length of a step [s]",                            .key = "step"},
     {"--guard",     "split|stop|off", "what to do with a step that is too long",   .key = "guard"},
@@ -231,6 +233,15 @@ static bool verb_stability(const Options* options, Fault* fault) {
     return stability(options->out ? options->out : "out", options->quick, fault);
 }
 
+static bool verb_chart(const Options* options, Fault* fault) {
+    const ChartOptions chart = {.out = options->out ? options->out : "out",
+                                .only = options->target,
+                                .extent = options->all     ? CHART_ALL
+                                          : options->quick ? CHART_QUICK
+                                                           : CHART_FULL};
+    return chart_run(&chart, fault);
+}
+
 static bool verb_list(const Options* options, Fault* fault) {
     (void)options;
     (void)fault;
@@ -261,6 +272,10 @@ static bool verb_list(const Options* options, Fault* fault) {
     puts("benches");
     for (int k = 0; k < bench_count; k++)
         printf("  %-22s %s\n", bench_table[k]->name, bench_table[k]->about);
+    puts("charts");
+    for (int k = 0; k < chart_count; k++)
+        printf("  %s %-20s %s\n", chart_table[k]->letter, chart_table[k]->scene,
+               chart_table[k]->about);
     puts("display modes");
     for (int k = 0; k < mode_count; k++)
         printf("  %-22s %s\n", mode_table[k]->name, mode_table[k]->about);
@@ -274,6 +289,7 @@ static const Verb verb_table[] = {
     {"run",    "SCENE|MESH",   "simulate only, no drawing",                        verb_run},
     {"check",  "MESH",         "the mesh doctor; exit 1 if it is unusable",        verb_check},
     {"bench",  "[CASE]",       "measure: all cases, or one",                      verb_bench},
+    {"chart",  "[SCENE]",      "speed against accuracy: all scenes, or one",       verb_chart},
     {"stability", "",         "where each method fails: maps and limits, to --out",  verb_stability},
     {"list",   "",             "scenes, shapes, forces, methods, display modes",   verb_list},
 };

@@ -55,7 +55,7 @@ bool plot_close(Plot* plot, Fault* fault) {
 
     // a gnuplot that ends early is an error of ours to report, not a signal to die of
     signal(SIGPIPE, SIG_IGN);
-    FILE* gnuplot = popen("gnuplot -", "w");
+    FILE* gnuplot = popen("command -v gnuplot >/dev/null || exit 127; exec gnuplot -", "w");
     if (!gnuplot)
         return fault_set(fault, plot->file, "no pipe to gnuplot: %s", strerror(errno));
     load(plot, gnuplot);

@@ -112,9 +112,10 @@ bool run(World* world, const RunOptions* options, Fault* fault) {
         good = close_out(csv, options->csv, fault) && good;
     if (good && options->obj)
         good = write_skins(world, options->obj, fault);
-    if (good && options->time)
-        printf("stepping %.6f s of CPU time for %g s: %.6f ms per simulated second\n", spent,
-               options->seconds, 1e3 * spent / options->seconds);
+    const double came = world->blowup.halted ? world_time(world) : options->seconds;
+    if (options->time && came > 0 && (good || world->blowup.halted)) // as far as a bad state came
+        printf("stepping %.6f s of CPU time for %g s: %.6f ms per simulated second\n", spent, came,
+               1e3 * spent / came);
     session_close(&session);
     return good;
 }

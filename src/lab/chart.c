@@ -1,0 +1,49 @@
+#include "lab/chart.h"
+
+#include <string.h>
+
+#include "lab/plot.h"
+
+#ifdef __clang__
+#define COMPILER "clang " __clang_version__
+#else
+#define COMPILER "gcc " __VERSION__
+#endif
+
+bool chart_is_peer(const ChartPoint* point) {
+    return strcmp(point->method, "bullet") == 0;
+}
+
+bool chart_same_line(const ChartPoint* a, const ChartPoint* b) {
+    return strcmp(a->method, b->method) == 0 && strcmp(a->skin, b->skin) == 0 &&
+           strcmp(a->law, b->law) == 0;
+}
+
+int chart_end(const ChartPlan* plan, int from) {
+    int to = from;
+    while (to < plan->points && strcmp(plan->point[to].name, plan->point[from].name) == 0)
+        to++;
+    return to;
+}
+
+const char* chart_machine(void) {
+    static char machine[256];
+    char line[256], name[128] = "a machine that does not tell its name";
+    FILE* about = fopen("/proc/cpuinfo", "r");
+    while (about && fgets(line, sizeof line, about))
+        if (sscanf(line, "model name : %127[^\n]", name) == 1)
+            break;
+    if (about)
+        fclose(about);
+    snprintf(machine, sizeof machine, "%s, " COMPILER, name);
+    return machine;
+}
+
+bool chart_run(const ChartOptions* options, Fault* fault) {
+    ChartPlan plan;
+    const bool good = plot_folder(options->out, fault) && chart_plan(&plan, options, fault) &&
+                      chart_measure(&plan, fault) && chart_write(&plan, options->out, fault) &&
+                      chart_draw(&plan, options->out, fault);
+    chart_plan_free(&plan);
+    return good;
+}
