@@ -177,7 +177,7 @@ static bool walk(ChartPlan* plan, const ChartCase* chart, const ChartOptions* op
 }
 
 bool chart_plan(ChartPlan* plan, const ChartOptions* options, Fault* fault) {
-    *plan = (ChartPlan){NULL};
+    *plan = (ChartPlan){0};
     int room = 0;
     for (int k = 0; k < chart_count; k++)
         if (is_wanted(chart_table[k], options->only))
@@ -198,5 +198,5 @@ void chart_plan_free(ChartPlan* plan) {
         launch_free(&plan->launch[k]);
     free(plan->launch);
     free(plan->point);
-    *plan = (ChartPlan){NULL};
+    *plan = (ChartPlan){0};
 }

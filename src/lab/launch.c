@@ -103,7 +103,7 @@ static int free_place(const Running* running, int side_by_side) {
 bool launch_all(Launch* launch, int count, int side_by_side, const char* what, Fault* fault) {
     ASSERT(side_by_side <= SIDE_BY_SIDE_MOST, "there is a place for each that runs");
     const bool say = isatty(STDERR_FILENO);
-    Running running[SIDE_BY_SIDE_MOST] = {{NULL}};
+    Running running[SIDE_BY_SIDE_MOST] = {{0}};
     int going = 0, next = 0;
     bool good = true;
     while (going > 0 || (good && next < count)) {
