@@ -16,11 +16,12 @@ enum { CONTACTS_FIRST = 1024, SPHERES_FIRST = 16, ROUNDS_WITH_PLANES = 4 };
 static const double deep = 0.5;    ///< [radii] a ball may come nearer than touching in a part
 static const double least = 0.05;  ///< [radii] that a part may always go
 static const double core = 0.25;   ///< [radii] around the centre that no triangle may come near
-static const double slack = 0.1;   ///< [radii] contacts are looked for beyond what speeds say
+static const double slack = 0.05;  ///< [radii] contacts are looked for beyond what speeds say
+static const real bounces = 4;     ///< [kicks] of approach; a slower bounce is over in eight parts
 static const double little = 1e-3; ///< [1] of the energy that the first round moved
 
 void collide_open(Collide* collide, ContactLaw law, double gravity, const Plane* plane,
-                  int plane_count, Body* const* body, int body_count) {
+                  int plane_count, Body* const* body, const real4* const* before, int body_count) {
     *collide = (Collide){
         .law = law,
         .gravity = gravity,
@@ -32,7 +33,15 @@ void collide_open(Collide* collide, ContactLaw law, double gravity, const Plane*
     for (int k = 0; k < plane_count; k++)
         collide->plane[k] = plane[k];
     for (int b = 0; b < body_count; b++)
-        collide->skin[b].body = body[b];
+        collide->skin[b] = (CollideSkin){.body = body[b], .before = before[b]};
+}
+
+static void see_fastest(CollideSkin* skin) {
+    const Body* body = skin->body;
+    real fastest = 0;
+    for (int i = 0; i < body->count; i++)
+        fastest = real_max(fastest, dot(body->v[i], body->v[i]));
+    skin->fastest = sqrt((double)fastest);
 }
 
 /// What only a scene with balls needs, made at the first of them.
@@ -49,10 +58,12 @@ static void begin(Collide* collide) {
         skin->owners = feature_owners(mesh);
         skin->patches = bullet_skin_open(collide->bullet, (const int(*)[3])mesh->triangle,
                                          mesh->triangle_count, skin->body->x, mesh->point_count);
+        see_fastest(skin);
     }
     collide->contact_room = CONTACTS_FIRST;
     collide->contact = new_array(Contact, CONTACTS_FIRST);
     collide->triangle = new_array(int, CONTACTS_FIRST);
+    collide->warm.push = new_array(Push, CONTACTS_FIRST);
     collide->sphere_room = SPHERES_FIRST;
     collide->sphere = new_array(Sphere, SPHERES_FIRST);
     collide->good = new_array(Sphere, SPHERES_FIRST);
@@ -91,18 +102,13 @@ void collide_add(Collide* collide, const Sphere* sphere) {
 
 void collide_clear(Collide* collide) {
     collide->sphere_count = 0;
-    collide->contact_count = collide->near_count = 0;
+    collide->contact_count = collide->near_count = collide->warm.count = 0;
 }
 
-/// Boxes of a skin's patches and its fastest particle, as they are now.
+/// Boxes of a skin's patches, as they are now.
 static void look(CollideSkin* skin) {
     bullet_skin_refit(skin->patches, 0);
     bullet_skin_box(skin->patches, skin->low, skin->high);
-    const Body* body = skin->body;
-    real fastest = 0;
-    for (int i = 0; i < body->count; i++)
-        fastest = real_max(fastest, dot(body->v[i], body->v[i]));
-    skin->fastest = sqrt((double)fastest);
 }
 
 static double box_distance(const CollideSkin* skin, double4 point) {
@@ -122,6 +128,7 @@ static int near(Collide* collide, CollideSkin* skin, const Sphere* sphere, doubl
         const size_t room = (size_t)collide->contact_room;
         collide->contact = grown(collide->contact, room, sizeof(Contact));
         collide->triangle = grown(collide->triangle, room, sizeof(int));
+        collide->warm.push = grown(collide->warm.push, room, sizeof(Push));
         collide->contact_room *= 2;
     }
     return count;
@@ -201,18 +208,32 @@ static double closing(const Contact* c) {
     return sqrt((double)fastest);
 }
 
+/// What this part's kick alone made of the approach: to it and the ball's weight every contact at
+/// rest is exposed.
+static real kicked(const Contact* c, const real4* before, real fall) {
+    real4 skin = {0, fall, 0, 0};
+    for (int k = 0; k < 3; k++)
+        skin += c->weight[k] * (c->body->v[c->particle[k]] - before[c->particle[k]]);
+    return real_max(0, dot(c->normal, skin));
+}
+
 /// A pair's near triangles as contacts: those that may touch in a drift of length h to the front of
 /// the list, for the solve; the others stay behind them, for `allowed` and the sweep.
-static void gather_pair(Collide* collide, Sphere* sphere, int b, CollidePair* pair, double h) {
+static void gather_pair(Collide* collide, int s, int b, double h) {
+    const int number = s * collide->skin_count + b;
+    CollidePair* pair = &collide->pair[number];
     CollideSkin* skin = &collide->skin[b];
+    Sphere* sphere = &collide->sphere[s];
     const double radius = (double)sphere->radius;
     const double speed = (double)length(sphere->v) + skin->fastest;
     const double reach = (1 + slack) * radius + 2 * speed * h;
+    const real fall = (real)(h * collide->gravity);
     bool touching = false;
-    const int count =
-        box_distance(skin, to_double4(sphere->x)) < reach ? near(collide, skin, sphere, reach) : 0;
+    pair->seen = fmax(reach, box_distance(skin, to_double4(sphere->x)));
+    const int count = pair->seen <= reach ? near(collide, skin, sphere, reach) : 0;
     for (int k = 0; k < count; k++) {
         Contact contact = contact_make(sphere, skin->body, collide->triangle[k], (real)pair->side);
+        contact.pair = number;
         contact.first = !pair->touching;
         touching |= contact.gap <= (real)1e-3 * sphere->radius;
         Contact* end = &collide->contact[collide->near_count++];
@@ -220,6 +241,10 @@ static void gather_pair(Collide* collide, Sphere* sphere, int b, CollidePair* pa
         const double soon = 1.5 * closing(&contact) * h + slack * radius;
         if ((double)contact.gap <= soon && feature_owned(&contact, skin->owners)) {
             *end = collide->contact[collide->contact_count];
+            if (contact.first)
+                contact.least = bounces * kicked(&contact, skin->before, fall);
+            else
+                warm_give(&collide->warm, &contact, h);
             collide->contact[collide->contact_count++] = contact;
         }
     }
@@ -227,14 +252,32 @@ static void gather_pair(Collide* collide, Sphere* sphere, int b, CollidePair* pa
 }
 
 static void gather(Collide* collide, double h) {
-    collide->contact_count = collide->near_count = 0;
+    collide->contact_count = collide->near_count = collide->warm.next = 0;
     for (int s = 0; s < collide->sphere_count; s++)
         for (int b = 0; b < collide->skin_count; b++)
-            gather_pair(collide, &collide->sphere[s], b,
-                        &collide->pair[s * collide->skin_count + b], h);
+            gather_pair(collide, s, b, h);
 }
 
-/// How much of h may be drifted so that no triangle comes into the core of a ball.
+/// A hit may have made things faster than they were when the near triangles were looked for: how
+/// much of h may be drifted so that none of the others comes into the core of a ball.
+static double unseen(Collide* collide, double h) {
+    for (int b = 0; b < collide->skin_count; b++)
+        see_fastest(&collide->skin[b]);
+    for (int s = 0; s < collide->sphere_count; s++)
+        for (int b = 0; b < collide->skin_count; b++) {
+            Sphere* sphere = &collide->sphere[s];
+            const double seen = collide->pair[s * collide->skin_count + b].seen;
+            const double speed = (double)length(sphere->v) + collide->skin[b].fastest;
+            const double way = speed * h + core * (double)sphere->radius;
+            if (way <= seen)
+                continue;
+            const double distance = nearest_distance(collide, &collide->skin[b], sphere, way);
+            h = fmin(h, (fmax(seen, distance) - core * (double)sphere->radius) / speed);
+        }
+    return h;
+}
+
+/// How much of h may be drifted so that no near triangle comes into the core of a ball.
 static double allowed(const Collide* collide, double h) {
     for (int k = 0; k < collide->near_count; k++) {
         const Contact* c = &collide->contact[k];
@@ -262,9 +305,15 @@ static void solve(Collide* collide, double h) {
     double first = 0;
     for (int round = 0; round < ROUNDS_WITH_PLANES; round++) {
         const ContactReport report = contact_solve(collide->contact, collide->contact_count, h);
+        if (round == 0)
+            warm_keep(&collide->warm, collide->contact, collide->contact_count, h);
         first = round == 0 ? report.moved : first;
         if (report.moved <= little * first || !stop_on_planes(collide, h))
             return;
+        for (int k = 0; k < collide->contact_count; k++) {
+            collide->contact[k].push = 0;
+            collide->contact[k].rub = (real4){0, 0, 0, 0};
+        }
     }
 }
 
@@ -280,7 +329,8 @@ double collide_velocities(Collide* collide, double h) {
         return h;
     gather(collide, h);
     solve(collide, h);
-    return sweep_stop(collide->contact, collide->near_count, allowed(collide, h));
+    h = sweep_stop(collide->contact, collide->near_count, allowed(collide, h));
+    return unseen(collide, h);
 }
 
 void collide_drift(Collide* collide, double h) {
@@ -288,10 +338,7 @@ void collide_drift(Collide* collide, double h) {
         const Contact* c = &collide->contact[k];
         if (!sweep_passes(c, h))
             continue;
-        int b = 0;
-        while (collide->skin[b].body != c->body)
-            b++;
-        CollidePair* pair = &collide->pair[(c->sphere - collide->sphere) * collide->skin_count + b];
+        CollidePair* pair = &collide->pair[c->pair];
         pair->now = -pair->now;
         if (pair->now != pair->side)
             collide->pass_throughs++;
@@ -318,7 +365,7 @@ void collide_keep(Collide* collide) {
 
 void collide_put_back(Collide* collide) {
     collide->sphere_count = collide->good_count;
-    collide->contact_count = collide->near_count = 0;
+    collide->contact_count = collide->near_count = collide->warm.count = 0;
     if (collide->good_count)
         memcpy(collide->sphere, collide->good, (size_t)collide->good_count * sizeof(Sphere));
 }
@@ -349,5 +396,6 @@ void collide_close(Collide* collide) {
     free(collide->pair);
     free(collide->contact);
     free(collide->triangle);
+    free(collide->warm.push);
     *collide = (Collide){0};
 }

@@ -17,6 +17,7 @@
 #include "collide/bullet.h"
 #include "collide/contact.h"
 #include "collide/plane.h"
+#include "collide/warm.h"
 
 typedef enum ContactLaw {
     CONTACT_IMPULSE, ///< momentum kept, nothing passes through
@@ -28,10 +29,11 @@ extern const char* const contact_law_name[CONTACT_LAWS];
 /// A skin that balls can touch.
 typedef struct CollideSkin {
     Body* body;             ///< the caller's
+    const real4* before;    ///< [count] velocities before the kick, the caller's
     BulletSkin* patches;    ///< NULL until the first ball
     unsigned char* owners;  ///< which triangle a shared corner or edge belongs to (feature.h)
     double low[3], high[3]; ///< box of the skin at the last pace
-    double fastest;         ///< speed of its fastest particle at the last pace [m/s]
+    double fastest;         ///< speed of its fastest particle in the last drift [m/s]
 } CollideSkin;
 
 /// What is remembered of a ball and a skin.
@@ -39,6 +41,7 @@ typedef struct CollidePair {
     int side;      ///< 1: the ball began outside the skin, -1 inside
     int now;       ///< on which side it is now: another than `side` has passed through
     bool touching; ///< it touched the skin in the last part: a hit is no longer a first one
+    double seen;   ///< every triangle nearer to the ball's centre is in the list of this part [m]
 } CollidePair;
 
 typedef struct Collide {
@@ -58,14 +61,16 @@ typedef struct Collide {
     int contact_room;
     Contact* contact; ///< [contact_room]
     int* triangle;    ///< [contact_room]
+    Warm warm;        ///< what pushed in the last part
     Sphere* good;     ///< [sphere_room] last good state, of the first good_count
     int good_count;
     long pass_throughs;
 } Collide;
 
-/// No balls yet. body: the skins, which must stay where they are.
+/// No balls yet. body: the skins, which must stay where they are; before: the velocities of each
+/// before the kick of a part, in which the caller keeps them.
 void collide_open(Collide* collide, ContactLaw law, double gravity, const Plane* plane,
-                  int plane_count, Body* const* body, int body_count);
+                  int plane_count, Body* const* body, const real4* const* before, int body_count);
 
 /// A ball more. It is outside or inside each closed skin, by its winding number, and stays there.
 void collide_add(Collide* collide, const Sphere* sphere);

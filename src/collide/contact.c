@@ -1,11 +1,14 @@
 #include "collide/contact.h"
 
-enum { ROUNDS_MOST = 50 };
+enum {
+    ROUNDS_MOST = 50,
+    EACH_LOOKED_AT = 4, ///< rounds after which those that do not push are looked at again
+};
 
-static const real settled = (real)1e-4; ///< [1] change of a sweep against the largest velocity
+static const real settled = (real)1e-3; ///< [1] change of a sweep against the largest velocity
 static const real way_out = (real)0.2;  ///< [1] part of an overlap that a drift may undo
 static const real way_rate = 20; ///< [1/s] and part in a second, so that short drifts do not kick
-static const double rounding = 8 * (double)REAL_EPSILON; ///< [1] of the energy that was moved
+static const double rounding = 8 * (double)REAL_EPSILON; ///< [1] of velocities in a sum
 
 /// Weights of the point of triangle (a, b, c) nearest p.
 /// Source: C. Ericson, Real-Time Collision Detection, 2005, section 5.1.5.
@@ -75,95 +78,126 @@ Contact contact_make(Sphere* sphere, Body* body, int triangle, real side) {
     contact.gap = distance - sphere->radius;
     contact.arm = -distance * contact.normal;
 
-    const real free = 1 / sphere->mass;
     real skin = 0;
-    for (int k = 0; k < 3; k++)
-        skin += contact.weight[k] * contact.weight[k] * body->inverse_mass[corner[k]];
-    contact.compliance = free + skin;
-    contact.slide = free + skin + distance * distance / sphere_inertia(sphere);
+    for (int k = 0; k < 3; k++) {
+        contact.share[k] = contact.weight[k] * body->inverse_mass[corner[k]];
+        skin += contact.weight[k] * contact.share[k];
+    }
+    contact.free = 1 / sphere->mass;
+    contact.turn = 1 / sphere_inertia(sphere);
+    contact.give = 1 / (contact.free + skin);
+    contact.grip = 1 / (contact.free + skin + distance * distance * contact.turn);
     return contact;
 }
 
-real4 contact_approach(const Contact* c) {
+/// u but for the ball's spin, which moves p across n only.
+static real4 slip(const Contact* c) {
     const real4* v = c->body->v;
-    return c->sphere->v + cross(c->sphere->spin, c->arm) - c->weight[0] * v[c->particle[0]] -
-           c->weight[1] * v[c->particle[1]] - c->weight[2] * v[c->particle[2]];
+    return c->sphere->v - c->weight[0] * v[c->particle[0]] - c->weight[1] * v[c->particle[1]] -
+           c->weight[2] * v[c->particle[2]];
+}
+
+real4 contact_approach(const Contact* c) {
+    return slip(c) + cross(c->sphere->spin, c->arm);
 }
 
 /// P on the ball at p, -w P on the particles.
 static void apply(const Contact* c, real4 impulse) {
-    Sphere* s = c->sphere;
-    s->v += impulse / s->mass;
-    s->spin += cross(c->arm, impulse) / sphere_inertia(s);
-    for (int k = 0; k < 3; k++) {
-        const int i = c->particle[k];
-        c->body->v[i] -= (c->weight[k] * c->body->inverse_mass[i]) * impulse;
-    }
-}
-
-/// Book the kinetic energy that an impulse adds: met by u along it, and by an inverse mass.
-static void book(ContactReport* report, real4 impulse, real4 u, real compliance) {
-    const double from = (double)dot(impulse, u);
-    const double to = 0.5 * (double)dot(impulse, impulse) * (double)compliance;
-    report->kinetic += from + to;
-    report->moved += fabs(from) + to;
+    c->sphere->v += c->free * impulse;
+    c->sphere->spin += c->turn * cross(c->arm, impulse);
+    for (int k = 0; k < 3; k++)
+        c->body->v[c->particle[k]] -= c->share[k] * impulse;
 }
 
 /// One contact's impulse, the others held. Returns the velocity that it changed.
-static real improve(Contact* c, real h, real scale, bool rough, ContactReport* report) {
-    const real least = c->gap < 0 ? 0 : -c->gap / h;
-    const real floor = c->wanted > 0 ? real_max(least, scale * c->wanted) : least;
-    const real4 met = contact_approach(c);
-    const real push = real_max(0, c->push - (dot(c->normal, met) - floor) / c->compliance);
-    const real more = push - c->push;
-    if (push <= 0 && more >= 0) // it stays apart, as most of a list do, and cannot rub
+static real improve(Contact* c, bool rough) {
+    const real4 met = slip(c);
+    const real along = dot(c->normal, met);
+    const real push = real_max(0, c->push - (along - c->floor) * c->give);
+    c->resting = push <= 0;
+    if (push <= 0 && c->push <= 0) // it stays apart, as most of a list do, and cannot rub
         return 0;
+    const real more = push - c->push;
     c->push = push;
     real4 impulse = more * c->normal;
-    real change = (more < 0 ? -more : more) * c->compliance;
-    book(report, impulse, met, c->compliance);
+    real change = (more < 0 ? -more : more) / c->give;
 
     // against the sliding, which a push along n leaves as it was, within Coulomb's cone
     if (rough && c->sphere->friction > 0) {
-        const real4 slide = met - dot(c->normal, met) * c->normal;
-        real4 rub = c->rub - slide / c->slide;
+        const real4 slide = met - along * c->normal + cross(c->sphere->spin, c->arm);
+        real4 rub = c->rub - c->grip * slide;
         const real size = length(rub), most = c->sphere->friction * push;
         if (size > most)
             rub *= most / size;
         const real4 step = rub - c->rub;
         c->rub = rub;
         impulse += step;
-        change = real_max(change, length(step) * c->slide);
-        book(report, step, slide, c->slide);
+        change = real_max(change, length(step) / c->grip);
     }
     apply(c, impulse);
     return change;
 }
 
-/// Sweeps until nothing changes any more.
-static ContactReport sweep_all(Contact* contact, int count, real h, real scale, bool rough) {
-    ContactReport report = {0};
+/// A round over all contacts, or over those that pushed when last looked at. Returns the largest
+/// velocity that it changed.
+static real sweep(Contact* contact, int count, bool all, bool rough) {
+    real most = 0;
+    for (int k = 0; k < count; k++)
+        if (all || !contact[k].resting)
+            most = real_max(most, improve(&contact[k], rough));
+    return most;
+}
+
+/// Rounds until nothing changes any more. Returns how many.
+static int sweep_all(Contact* contact, int count, real h, real scale, bool rough) {
     real fastest = 0;
     for (int k = 0; k < count; k++) {
-        contact[k].push = 0;
-        contact[k].rub = (real4){0, 0, 0, 0};
-        fastest = real_max(fastest, length(contact_approach(&contact[k])));
+        Contact* c = &contact[k];
+        const real least = c->gap < 0 ? 0 : -c->gap / h;
+        c->floor = c->wanted > 0 ? real_max(least, scale * c->wanted) : least;
+        fastest = real_max(fastest, dot(c->arrival, c->arrival));
     }
-    while (report.rounds < ROUNDS_MOST) {
-        real most = 0;
-        for (int k = 0; k < count; k++)
-            most = real_max(most, improve(&contact[k], h, scale, rough, &report));
-        report.rounds++;
-        if (most <= settled * fastest)
+    fastest = real_sqrt(fastest);
+    bool all = true;
+    int rounds = 0;
+    while (rounds < ROUNDS_MOST) {
+        const real most = sweep(contact, count, all, rough);
+        rounds++;
+        if (most > settled * fastest)
+            all = rounds % EACH_LOOKED_AT == 0;
+        else if (all)
             break;
+        else
+            all = true;
     }
-    return report;
+    return rounds;
 }
 
 /// Take all impulses back.
 static void take_back(Contact* contact, int count) {
-    for (int k = count - 1; k >= 0; k--)
+    for (int k = count - 1; k >= 0; k--) {
         apply(&contact[k], -(contact[k].push * contact[k].normal + contact[k].rub));
+        contact[k].push = 0;
+        contact[k].rub = (real4){0, 0, 0, 0};
+    }
+}
+
+/// The energy of impulses P between velocities u before and u' after is P.(u + u')/2, whatever the
+/// way they were found; velocities, and so the energy, are known to their rounding.
+static ContactReport book(const Contact* contact, int count) {
+    ContactReport report = {0};
+    for (int k = 0; k < count; k++) {
+        const Contact* c = &contact[k];
+        if (c->push <= 0)
+            continue;
+        const real4 impulse = c->push * c->normal + c->rub;
+        const double before = (double)dot(impulse, c->arrival);
+        const double after = (double)dot(impulse, contact_approach(c));
+        report.kinetic += 0.5 * (before + after);
+        report.moved += 0.5 * (fabs(before) + fabs(after));
+        report.rounded += rounding * (double)(length(impulse) * length(c->sphere->v));
+    }
+    return report;
 }
 
 /// What each contact asks for beyond touching: to bounce at a first hit, to undo an overlap.
@@ -171,26 +205,49 @@ static bool ask(Contact* contact, int count, real h) {
     bool any = false;
     for (int k = 0; k < count; k++) {
         Contact* c = &contact[k];
-        const real along = dot(c->normal, contact_approach(c));
+        c->arrival = contact_approach(c);
+        const real along = dot(c->normal, c->arrival);
         c->wanted = c->gap < 0 ? -real_min(way_out / h, way_rate) * c->gap : 0;
-        if (c->first && along < 0 && -along * h >= c->gap)
+        if (c->first && along < -c->least && -along * h >= c->gap)
             c->wanted = real_max(c->wanted, -c->sphere->restitution * along);
         any |= c->wanted > 0;
     }
     return any;
 }
 
+/// Begin with the impulses that the contacts were given.
+static bool start_warm(Contact* contact, int count) {
+    bool any = false;
+    for (int k = 0; k < count; k++) {
+        Contact* c = &contact[k];
+        if (c->push <= 0)
+            continue;
+        c->rub -= dot(c->rub, c->normal) * c->normal;
+        apply(c, c->push * c->normal + c->rub);
+        any = true;
+    }
+    return any;
+}
+
 ContactReport contact_solve(Contact* contact, int count, double step) {
     const real h = (real)step;
-    const bool asked = ask(contact, count, h);
-    real scale = asked ? 1 : 0;
+    real scale = ask(contact, count, h) ? 1 : 0;
+    bool warm = start_warm(contact, count);
     for (;;) {
-        const ContactReport report = sweep_all(contact, count, h, scale, true);
-        if (report.kinetic <= rounding * report.moved)
+        const int rounds = sweep_all(contact, count, h, scale, true);
+        ContactReport report = book(contact, count);
+        report.rounds = rounds;
+        if (report.kinetic <= report.rounded)
             return report;
         take_back(contact, count);
-        if (scale <= 0) // friction, cut short in its sweeps: without it energy cannot rise
-            return sweep_all(contact, count, h, 0, false);
+        if (warm) { // what was remembered may be far off: without it
+            warm = false;
+            continue;
+        }
+        if (scale <= 0) { // friction, cut short in its sweeps: without it energy cannot rise
+            sweep_all(contact, count, h, 0, false);
+            return book(contact, count);
+        }
         scale = scale > (real)0.5 ? (real)0.5 : 0;
     }
 }

@@ -46,7 +46,7 @@ static int turning_points(const double c[4], double at[2]) {
     return count;
 }
 
-double cross_time(double4 p, double4 dp, const double4 a[3], const double4 da[3], double* turn) {
+double cross_time(double4 p, double4 dp, const double4 a[3], const double4 da[3]) {
     // the cubic through four of its values
     const double f0 = height(p, dp, a, da, 0), f1 = height(p, dp, a, da, 1.0 / 3);
     const double f2 = height(p, dp, a, da, 2.0 / 3), f3 = height(p, dp, a, da, 1);
@@ -66,7 +66,6 @@ double cross_time(double4 p, double4 dp, const double4 a[3], const double4 da[3]
             const double middle = (low + high) / 2;
             *(before * height(p, dp, a, da, middle) > 0 ? &low : &high) = middle;
         }
-        *turn = before > 0 ? 1 : -1;
         if (within(p, dp, a, da, high))
             return high;
     }

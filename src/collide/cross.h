@@ -8,8 +8,7 @@
 /// The first time in (0, 1] at which the point p + t dp lies in the triangle with corners
 /// a[k] + t da[k]; 2 where it never does. Both paths are straight lines, so the point's height over
 /// the triangle's plane is a cubic in t: its monotone pieces are bisected.
-/// `turn` is the sign of the height before.
-double cross_time(double4 p, double4 dp, const double4 a[3], const double4 da[3], double* turn);
+double cross_time(double4 p, double4 dp, const double4 a[3], const double4 da[3]);
 
 /// How often a closed skin winds around a point: 1 inside, 0 outside, where it does not overlap.
 /// Sum of the triangles' solid angles over 4 pi.

@@ -18,16 +18,23 @@ static bool out_of_way(const Contact* c, double h) {
     return away > 0 && h * h * fastest2 < away * away;
 }
 
+/// The way from x to where a drift puts it, rounding and all: a centre pressed onto a triangle must
+/// not get to the other side by rounding.
+static double4 way(real4 x, real4 v, double h) {
+    return to_double4(x + (real)h * v) - to_double4(x);
+}
+
 bool sweep_passes(const Contact* c, double h) {
     if (out_of_way(c, h))
         return false;
     double4 a[3], da[3];
     for (int k = 0; k < 3; k++) {
-        a[k] = to_double4(c->body->x[c->particle[k]]);
-        da[k] = h * to_double4(c->body->v[c->particle[k]]);
+        const real4 x = c->body->x[c->particle[k]];
+        a[k] = to_double4(x);
+        da[k] = way(x, c->body->v[c->particle[k]], h);
     }
-    double turn;
-    return cross_time(to_double4(c->sphere->x), h * to_double4(c->sphere->v), a, da, &turn) <= 1;
+    const real4 x = c->sphere->x;
+    return cross_time(to_double4(x), way(x, c->sphere->v, h), a, da) <= 1;
 }
 
 /// What the impulses could not solve stops: the ball and the triangle's particles go on together,

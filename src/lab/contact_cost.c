@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "base/memory.h"
@@ -103,6 +104,7 @@ static double timed_step(World* world) {
         const double pace = collide_pace(&world->collide, h);
         contacts += now() - start;
 
+        memcpy(world->balloon[0].last_v, body->v, (size_t)body->count * sizeof(real4));
         world->method->kick(body, world->balloon[0].room, pace, &world->balloon[0].effort);
 
         start = now();

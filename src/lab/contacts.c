@@ -10,6 +10,7 @@
 #include "collide/cross.h"
 #include "lab/bench.h"
 #include "lab/peer_world.h"
+#include "lab/throw.h"
 
 static const double speed_table[] = {1, 5, 10, 20, 50, 100, 200}; ///< [m/s]
 static const double radius_table[] = {0.02, 0.05, 0.2, 0.5};      ///< [m], the balloon's is 1
@@ -17,34 +18,17 @@ static const double rate_table[] = {60, 240};                     ///< steps a s
 static const double mass_table[] = {0.1, 1, 1000};                ///< of the balloon's
 static const int side_table[] = {8, 22, 43}; ///< quads a side of the cube-sphere
 
-/// From where the ball comes, and how far off the middle it aims.
-static const struct {
-    double from[3], off[3];
-} way_table[] = {
-    {{1, 0, 0}, {0, 0, 0}},                 // at the middle of a patch
-    {{0.577, 0.577, 0.577}, {0, 0, 0}},     // at a corner of valence 3
-    {{-0.36, 0.48, 0.8}, {0.2, -0.1, 0.3}}, // somewhere
-    {{0, 1, 0}, {0.85, 0, 0}},              // it grazes
-};
-
 enum {
     SPEEDS = sizeof speed_table / sizeof *speed_table,
     RADII = sizeof radius_table / sizeof *radius_table,
     RATES = sizeof rate_table / sizeof *rate_table,
     MASSES = sizeof mass_table / sizeof *mass_table,
     SIDES = sizeof side_table / sizeof *side_table,
-    WAYS = sizeof way_table / sizeof *way_table,
-    SETS = 7,
-    THROWS = SPEEDS * RADII * RATES * MASSES * WAYS,
+    THROWS = SPEEDS * RADII * RATES * MASSES * THROW_WAYS,
     QUICK = 37,      ///< one throw in so many; shares no factor with the tables' lengths
     PEER = 11,       ///< the same for Bullet's
     PEER_ROUNDS = 10 ///< over the links: ten times Bullet's own, in its favour
 };
-
-typedef struct Throw {
-    double speed, radius, rate, mass;
-    int side, way;
-} Throw;
 
 /// What a mesh's throws added up to.
 typedef struct Sum {
@@ -54,33 +38,6 @@ typedef struct Sum {
     double seconds; ///< CPU time [s]
     int peer_throws, peer_through;
 } Sum;
-
-static bool open_throw(const Throw* t, World* world, Fault* fault) {
-    const double* from = way_table[t->way].from;
-    const double* off = way_table[t->way].off;
-    const double away = 1.6 + t->radius, balloon = 1e-3 * (6 * t->side * t->side + 2);
-    double x[3], v[3];
-    for (int k = 0; k < 3; k++) {
-        x[k] = away * from[k] + off[k];
-        v[k] = -t->speed * from[k];
-    }
-    char model[64], step[64], ball[512];
-    snprintf(model, sizeof model, "cube-sphere:%d", t->side);
-    snprintf(step, sizeof step, "step=%.17g", 1 / t->rate);
-    snprintf(ball, sizeof ball,
-             "spheres=[{position: [%.17g, %.17g, %.17g], velocity: [%.17g, %.17g, %.17g], "
-             "radius: %.17g, mass: %.17g, restitution: 0.5, friction: 0.3}]",
-             x[0], x[1], x[2], v[0], v[1], v[2], t->radius, t->mass * balloon);
-    const SceneSet set[SETS] = {{step},
-                                {ball},
-                                {"gravity=0"},
-                                {"balloons.0.strings=[]"},
-                                {"balloons.0.helium={base: 0}"},
-                                {"balloons.0.damping={coefficient: 0}"},
-                                {"balloons.0.inflation={law: area, amount: 2}"}};
-    WorldDef def;
-    return scene_load(model, set, SETS, &def, fault) && world_open(world, &def, fault);
-}
 
 /// Whether the path of the ball's centre goes through a triangle in a step from `before` to
 /// `after`, which hold the points and behind them the ball.
@@ -93,8 +50,7 @@ static bool passes(const Mesh* mesh, const double4* before, const double4* after
             a[k] = before[i];
             da[k] = after[i] - before[i];
         }
-        double turn;
-        if (cross_time(before[ball], after[ball] - before[ball], a, da, &turn) <= 1)
+        if (cross_time(before[ball], after[ball] - before[ball], a, da) <= 1)
             return true;
     }
     return false;
@@ -128,12 +84,11 @@ static bool peer_lets_through(const World* world, long steps) {
     return through;
 }
 
-/// Long enough for the ball to go through, from one side to the other.
 static bool throw(const Throw* t, bool with_peer, Sum* sum, Fault* fault) {
     World world;
-    if (!open_throw(t, &world, fault))
+    if (!throw_open(t, &world, fault))
         return false;
-    const long steps = lround(fmin(1, 4 / t->speed + 0.1) * t->rate);
+    const long steps = throw_steps(t);
     if (with_peer) {
         sum->peer_throws++;
         sum->peer_through += peer_lets_through(&world, steps);
@@ -162,6 +117,8 @@ static bool throw_all(int side, bool quick, Sum* sum, Fault* fault) {
                          .rate = rate_table[n / SPEEDS / RADII % RATES],
                          .mass = mass_table[n / SPEEDS / RADII / RATES % MASSES],
                          .way = n / SPEEDS / RADII / RATES / MASSES,
+                         .restitution = 0.5,
+                         .friction = 0.3,
                          .side = side};
         if (!throw(&t, quick || n % PEER == 0, sum, fault))
             return false;

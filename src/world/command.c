@@ -88,7 +88,7 @@ static bool press(World* world, const Event* event, Fault* fault) {
     return true;
 }
 
-/// What a log may set while a world runs: a number of one balloon, or of the world.
+/// What a log may set of a balloon while a world runs.
 typedef struct Setting {
     const char* key;
     double* (*of)(Balloon* balloon);
@@ -114,25 +114,43 @@ static double* rate_of(Balloon* balloon) {
     return &balloon->body.damping.rate;
 }
 
-static double* gravity_of(Balloon* balloon) {
-    return &balloon->body.gravity;
-}
-
 static const Setting setting_table[] = {
     {"inflation.amount", amount_of},
     {"helium.base", base_of},
     {"helium.per_inflation", per_inflation_of},
     {"damping.coefficient", coefficient_of},
     {"damping.rate", rate_of},
-    {"gravity", gravity_of},
 };
 
-/// "balloons.2.damping.rate" or, of all balloons, "gravity".
+/// What it may set of the world.
+typedef struct WorldSetting {
+    const char* key;
+    void (*set)(World* world, double value);
+} WorldSetting;
+
+static void set_gravity(World* world, double value) {
+    for (int b = 0; b < world->balloon_count; b++)
+        world->balloon[b].body.gravity = value;
+    world->collide.gravity = value;
+}
+
+static const WorldSetting world_setting_table[] = {
+    {"gravity", set_gravity},
+};
+
+/// "gravity", "balloons.2.damping.rate" or, of all balloons, "damping.rate".
 static bool set(World* world, const Event* event, Fault* fault) {
     char* end;
     const double value = strtod(event->value, &end);
     if (end == event->value || *end || !isfinite(value))
         return fault_set(fault, event->name, "'%s' is not a number", event->value);
+
+    for (size_t k = 0; k < sizeof world_setting_table / sizeof *world_setting_table; k++)
+        if (strcmp(world_setting_table[k].key, event->name) == 0) {
+            world_setting_table[k].set(world, value);
+            world->look = true;
+            return true;
+        }
 
     int from = 0, to = world->balloon_count, used = 0;
     if (sscanf(event->name, "balloons.%d.%n", &from, &used) == 1 && used > 0) {
@@ -150,29 +168,21 @@ static bool set(World* world, const Event* event, Fault* fault) {
                 return fault_set(fault, event->name, "balloon %d has none", b);
             *number = value;
         }
-        if (strcmp(event->name, "gravity") == 0)
-            world->collide.gravity = value;
         world->look = true;
         return true;
     }
     return fault_set(fault, event->name, "cannot be set while a scene runs");
 }
 
-static const real thrown_restitution = (real)0.5; ///< [1] of balls from the user's hand
-static const real thrown_friction = (real)0.5;    ///< [1]
+static const double thrown_restitution = 0.5; ///< [1] of balls from the user's hand
+static const double thrown_friction = 0.5;    ///< [1]
 
 static bool throw(World * world, const Event* event, Fault* fault) {
     const double* n = event->thrown;
     if (!(n[6] > 0 && n[7] > 0))
         return fault_set(fault, "throw", "a ball has a mass and a radius above 0");
-    collide_add(&world->collide, &(Sphere){
-                                     .x = {(real)n[0], (real)n[1], (real)n[2], 0},
-                                     .v = {(real)n[3], (real)n[4], (real)n[5], 0},
-                                     .mass = (real)n[6],
-                                     .radius = (real)n[7],
-                                     .restitution = thrown_restitution,
-                                     .friction = thrown_friction,
-                                 });
+    const Sphere sphere = sphere_of(n, n + 3, n[7], n[6], thrown_restitution, thrown_friction);
+    collide_add(&world->collide, &sphere);
     return true;
 }
 

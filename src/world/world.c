@@ -28,25 +28,24 @@ static void open_collide(World* world) {
             (Plane){.point = {at[0], at[1], at[2], 0}, .normal = normal / dlength(normal)};
     }
     Body** body = new_array(Body*, world->balloon_count);
-    for (int b = 0; b < world->balloon_count; b++)
+    const real4** before = new_array(const real4*, world->balloon_count);
+    for (int b = 0; b < world->balloon_count; b++) {
         body[b] = &world->balloon[b].body;
-    collide_open(&world->collide, def->contact, scene_gravity(def), plane, planes, body,
+        before[b] = world->balloon[b].last_v;
+    }
+    collide_open(&world->collide, def->contact, scene_gravity(def), plane, planes, body, before,
                  world->balloon_count);
     free(plane);
     free(body);
+    free(before);
 
     for (unsigned s = 0; s < def->spheres_count; s++) {
         const SphereDef* ball = &def->spheres[s];
-        const double none[3] = {0}, *x = ball->position,
-                     *v = ball->velocity ? ball->velocity : none;
-        collide_add(&world->collide, &(Sphere){
-                                         .x = {(real)x[0], (real)x[1], (real)x[2], 0},
-                                         .v = {(real)v[0], (real)v[1], (real)v[2], 0},
-                                         .radius = (real)ball->radius,
-                                         .mass = (real)ball->mass,
-                                         .restitution = (real)ball->restitution,
-                                         .friction = (real)ball->friction,
-                                     });
+        const double none[3] = {0};
+        const Sphere sphere =
+            sphere_of(ball->position, ball->velocity ? ball->velocity : none, ball->radius,
+                      ball->mass, ball->restitution, ball->friction);
+        collide_add(&world->collide, &sphere);
     }
 }
 

@@ -230,9 +230,11 @@ static void events_may_set_numbers(void** state) {
     event = (Event){.kind = EVENT_SET, .name = "gravity", .value = "1.6"};
     assert_true(world_event(&world, &event, &fault));
     assert_close(world.balloon[0].body.gravity, 1.6, 1e-12);
+    assert_close(world.collide.gravity, 1.6, 1e-12);
 
     const Event bad[] = {
         {.kind = EVENT_SET, .name = "balloons.7.gravity", .value = "1"},
+        {.kind = EVENT_SET, .name = "balloons.0.gravity", .value = "1"},
         {.kind = EVENT_SET, .name = "balloons.0.model", .value = "1"},
         {.kind = EVENT_SET, .name = "gravity", .value = "much"},
         {.kind = EVENT_KEY, .name = "dance", .value = "down"},
