@@ -21,8 +21,8 @@ declare -A may=(
 # a library's folders, or the one file of a folder that may see it
 declare -A library=(
     [assimp]="mesh" [cyaml]="world" [yaml.h]="world" [cglm]="view" [EGL]="draw" [GL/]="draw"
-    [imgui]="hud" [GLFW]="show" [png.h]="show" [bt]="collide lab/peer.cpp"
-    [Bullet]="collide lab/peer.cpp"
+    [imgui]="hud" [GLFW]="show" [png.h]="show" [suitesparse]="solve/factor.c"
+    [bt]="collide lab/peer.cpp" [Bullet]="collide lab/peer.cpp"
 )
 
 bad=0

@@ -5,7 +5,8 @@
 
 const char* const step_start_name[STEP_STARTS] = {"inertia", "rest"};
 
-const Method* const method_table[] = {&method_euler, &method_newton, &method_forward, &method_xpbd};
+const Method* const method_table[] = {&method_euler, &method_newton, &method_forward, &method_xpbd,
+                                      &method_projective};
 const int method_count = sizeof method_table / sizeof *method_table;
 
 const Method* method_find(const char* name) {

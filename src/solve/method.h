@@ -33,6 +33,7 @@ typedef struct Effort {
     int iterations;
     int products;    ///< of the tangent with a vector
     double residual; ///< left of the step's equation, relative [1]
+    int factored;    ///< matrices: the only thing for which a kick may allocate
 } Effort;
 
 typedef struct Method {
@@ -42,7 +43,8 @@ typedef struct Method {
     /// Why this method cannot step this body, or NULL if it can.
     const char* (*refuses)(const Body* body);
 
-    /// Room for a body's steps, NULL members: none is needed. A kick allocates nothing.
+    /// Room for a body's steps, NULL members: none is needed. A kick allocates nothing, but where
+    /// it says that it has factored a matrix.
     void* (*open)(Body* body, const Solver* solver);
     void (*close)(void* room);
 
@@ -57,7 +59,7 @@ typedef struct Method {
     double (*limit)(double w2, double gamma);
 } Method;
 
-extern const Method method_euler, method_forward, method_newton, method_xpbd;
+extern const Method method_euler, method_forward, method_newton, method_projective, method_xpbd;
 
 extern const Method* const method_table[];
 extern const int method_count;

@@ -7,6 +7,11 @@
 #include "force/force.h"
 #include "mesh/measure.h"
 
+enum { ROOT_MOST = 100 };
+
+/// Of the first volume, where a search for a volume begins if there is less. [1]
+static const double least_volume = 1e-6;
+
 const char* predict_refuses(const Body* body) {
     if (body->membrane.count > 0)
         return "takes skins of springs, no membrane";
@@ -68,6 +73,22 @@ double predict_volume(Predict* predict, const Body* body) {
     for (int i = 0; i < body->count; i++)
         predict->ahead[i] = body->x[i] + predict->u[i];
     return measure_volume(body->mesh, predict->ahead);
+}
+
+/// What is to be zero rises with V' and bends down, so Newton's method comes up to it from below,
+/// and halves its way there from above.
+double predict_pressure(const Inflation* gas, double volume, double weight, double h2,
+                        double given) {
+    double after = fmax(volume, least_volume * gas->first_volume);
+    for (int n = 0; n < ROOT_MOST; n++) {
+        const double over = after - volume - weight * (h2 * gas_pressure(gas, after) - given);
+        const double next = after - over / (1 - weight * h2 * gas_slope(gas, after));
+        const double moved = next > 0 ? next - after : -after / 2;
+        after += moved;
+        if (!(fabs(moved) > 1e-15 * after))
+            break;
+    }
+    return gas_pressure(gas, after);
 }
 
 void predict_end(const Predict* predict, Body* body, double h) {

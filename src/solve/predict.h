@@ -30,6 +30,12 @@ void predict_begin(Predict* predict, Body* body, double h);
 /// Volume of the skin at x + u [m^3].
 double predict_volume(Predict* predict, const Body* body);
 
+/// Pressure of a gas in the volume to which it brings the skin along dV/dx, exactly: p(V') of
+/// V' = volume + weight (h^2 p(V') - given), `given` what of h^2 p is in the volume already,
+/// `weight` dV per h^2 p.
+double predict_pressure(const Inflation* gas, double volume, double weight, double h2,
+                        double given);
+
 /// The velocities that take the body by u; in body->f the forces that made them.
 void predict_end(const Predict* predict, Body* body, double h);
 

@@ -26,8 +26,7 @@
 ///            along the n of each round; taking back what has turned away costs nothing and leaves
 ///            nothing wrong in the end.
 /// strings    C = d - free length; P pulls, or is 0
-/// gas        P = h^2 p dV/dx, with p of the volume V' to which it brings the skin, exactly:
-///            V' = V + |dV/dx|^2_w (h^2 p(V') - L), L what it has pushed so far
+/// gas        P = L dV/dx, L = h^2 p of the volume to which it brings the skin (predict_pressure)
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,10 +34,7 @@
 #include "solve/method.h"
 #include "solve/predict.h"
 
-enum { ITERATIONS = 1, ROOT_MOST = 100 };
-
-/// Of the first volume, where a search for V' begins if there is less. [1]
-static const double least_volume = 1e-6;
+enum { ITERATIONS = 1 };
 
 typedef struct Room {
     int iterations;
@@ -127,27 +123,10 @@ static void relax_strings(Body* body, const real* weight, real h2, real4* u) {
     }
 }
 
-/// V': what is to be zero rises with it and bends down, so Newton's method comes up to it from
-/// below, and halves its way there from above.
-static double volume_after(const Inflation* gas, double volume, double weight, double h2,
-                           double given) {
-    double after = fmax(volume, least_volume * gas->first_volume);
-    for (int n = 0; n < ROOT_MOST; n++) {
-        const double over = after - volume - weight * (h2 * gas_pressure(gas, after) - given);
-        const double next = after - over / (1 - weight * h2 * gas_slope(gas, after));
-        const double moved = next > 0 ? next - after : -after / 2;
-        after += moved;
-        if (!(fabs(moved) > 1e-15 * after))
-            break;
-    }
-    return after;
-}
-
 static void relax_gas(Body* body, Room* room, double weight, double h2) {
     Inflation* gas = &body->inflation;
     gas->volume = predict_volume(&room->predict, body);
-    const double after = volume_after(gas, gas->volume, weight, h2, room->gas);
-    const double next = h2 * gas_pressure(gas, after);
+    const double next = h2 * predict_pressure(gas, gas->volume, weight, h2, room->gas);
     const real by = (real)(next - room->gas);
     room->gas = next;
     for (int i = 0; i < body->count; i++)

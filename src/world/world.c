@@ -121,12 +121,21 @@ static void flow(World* world, double h) {
     }
 }
 
+static void say_factored(World* world, int b, double h) {
+    if (world->balloon[b].effort.factored)
+        snprintf(world->notice, sizeof world->notice,
+                 "balloon %d (%s): method '%s' factored its matrix for steps of %.3g s", b,
+                 world->balloon[b].def->model, world->method->name, h);
+}
+
 /// Kick every balloon by h. Where a method could not solve its step, none is kicked.
 static int kick(World* world, double h) {
     for (int b = 0; b < world->balloon_count; b++) {
         Balloon* balloon = &world->balloon[b];
         memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
-        if (world->method->kick(&balloon->body, balloon->room, h, &balloon->effort))
+        const bool solved = world->method->kick(&balloon->body, balloon->room, h, &balloon->effort);
+        say_factored(world, b, h);
+        if (solved)
             continue;
         for (int k = 0; k <= b; k++)
             memcpy(world->balloon[k].body.v, world->balloon[k].last_v,

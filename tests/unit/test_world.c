@@ -1,6 +1,8 @@
 /// The world: same input, same bits; keys; guard; what is and is not there.
 #include "worlds.h"
 
+#include <suitesparse/SuiteSparse_config.h>
+
 #include "world/command.h"
 
 // the Makefile links this test with these in front of the C library's, to count what a step asks
@@ -35,8 +37,12 @@ void* __wrap_aligned_alloc(size_t alignment, size_t size) {
     return __real_aligned_alloc(alignment, size);
 }
 
+/// Nor does CHOLMOD, once the matrix is factored.
 static void step_allocates_nothing(void** state) {
     (void)state;
+    SuiteSparse_config.malloc_func = malloc;
+    SuiteSparse_config.calloc_func = calloc;
+    SuiteSparse_config.realloc_func = realloc;
     for (int m = 0; m < method_count; m++) {
         char method[64];
         snprintf(method, sizeof method, "method=%s", method_table[m]->name);
@@ -45,10 +51,17 @@ static void step_allocates_nothing(void** state) {
             &world, "cube-sphere:6", method, "guard=off",
             "balloons.0.correction={structural: 0.1, shear: 0.1, flexion: 0.1, tarantino: true}",
             "balloons.0.inflation.law=gas", "balloons.0.inflation.ambient=100");
-        const int before = asked;
-        assert_true(before > 0);
-        run_for(&world, 0.2);
-        assert_int_equal(asked, before);
+        assert_true(asked > 0);
+        int factored = 0;
+        for (int n = 0; n < 100; n++) {
+            const int before = asked;
+            world_step(&world);
+            if (world.balloon[0].effort.factored)
+                factored++;
+            else
+                assert_int_equal(asked, before);
+        }
+        assert_true(factored <= 1);
         world_close(&world);
     }
 }
@@ -67,10 +80,9 @@ static void methods_refuse_what_they_do_not_take(void** state) {
         const char* method;
         bool takes[SKINS];
     } row[] = {
-        {"euler", {true, true, true, true}},
-        {"newton", {true, true, true, true}},
-        {"forward", {true, true, true, true}},
-        {"xpbd", {true, true, false, false}},
+        {"euler", {true, true, true, true}},         {"newton", {true, true, true, true}},
+        {"forward", {true, true, true, true}},       {"xpbd", {true, true, false, false}},
+        {"projective", {true, false, false, false}},
     };
     const int rows = sizeof row / sizeof *row;
     assert_int_equal(rows, method_count);
