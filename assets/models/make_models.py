@@ -61,6 +61,38 @@ def tube(*points):
     return distance, rows
 
 
+def box(low, high, bevel):
+    """Box from corner to corner, its edges rounded."""
+    low, high = np.array(low, float), np.array(high, float)
+
+    def distance(p):
+        q = abs(p - (low + high) / 2) - (high - low) / 2 + bevel
+        return np.linalg.norm(np.maximum(q, 0), axis=1) + np.minimum(q.max(axis=1), 0) - bevel
+    return distance, [(*corner, 0) for corner in (low, high)]
+
+
+def disc(low, high, radius, bevel):
+    """Upright cylinder between two heights, its edges rounded."""
+    flat, _ = box((-radius, low, -1), (radius, high, 1), bevel)
+
+    def distance(p):
+        return flat(np.stack([np.hypot(p[:, 0], p[:, 2]), p[:, 1], 0 * p[:, 1]], axis=1))
+    return distance, [(-radius, low, -radius, 0), (radius, high, radius, 0)]
+
+
+def carve(shape, tool):
+    """A shape without what is inside the tool."""
+    return (lambda p: np.maximum(shape[0](p), -tool[0](p))), shape[1]
+
+
+def fluted(shape, count, depth, middle, width):
+    """Grooves from top to bottom around the y axis, deepest at the middle height."""
+    def distance(p):
+        fade = np.exp(-((p[:, 1] - middle) / width)**4)
+        return shape[0](p) + depth * fade * np.cos(count * np.arctan2(p[:, 0], p[:, 2]))
+    return distance, shape[1]
+
+
 def pair(shape):
     """A shape at x > 0 and its mirror image, as two shapes."""
     distance, hull = shape
@@ -363,8 +395,54 @@ def dog():
     return skin(shapes, quads=2400, seed=0, cell=0.042, blend=0.025)
 
 
+def bird():
+    """In flight: wings out, a fan for a tail, a beak."""
+    shapes = [egg((0, 0.0, 0.0), (0.34, 0.34, 0.62), tilt=-8),
+              egg((0, 0.24, 0.66), (0.27, 0.26, 0.27)),
+              tube((0, 0.22, 0.86, 0.11), (0, 0.19, 1.06, 0.035)),
+              tube((0, 0.06, -0.50, 0.17), (0, 0.10, -0.80, 0.10))]
+    shapes += pair(tube((0.20, 0.10, 0.16, 0.15), (0.62, 0.26, 0.22, 0.14),
+                        (1.02, 0.34, 0.02, 0.12), (1.38, 0.30, -0.26, 0.07)))
+    shapes += pair(egg((0.58, 0.20, -0.04), (0.46, 0.08, 0.34), roll=18))
+    shapes += pair(egg((0.98, 0.29, -0.18), (0.34, 0.065, 0.28), roll=4))
+    shapes += [egg((0, 0.12, -1.02), (0.14, 0.07, 0.34))]
+    shapes += pair(tube((0.05, 0.11, -0.80, 0.085), (0.22, 0.12, -1.24, 0.075)))
+    shapes += pair(egg((0.15, 0.33, 0.82), (0.055, 0.06, 0.055)))
+    return skin(shapes, quads=9725, seed=3, cell=0.026, blend=0.035)
+
+
+def holes():
+    """A ball with three handles, as a jug has them: genus 3."""
+    shapes = [egg((0, 0, 0), (0.52, 0.58, 0.46)),
+              tube((-0.30, 0.42, 0, 0.15), (-0.30, 0.80, 0, 0.14), (0, 0.98, 0, 0.14),
+                   (0.30, 0.80, 0, 0.14), (0.30, 0.42, 0, 0.15))]
+    shapes += pair(tube((0.38, 0.28, 0, 0.15), (0.78, 0.26, 0, 0.14), (0.95, -0.04, 0, 0.14),
+                        (0.78, -0.34, 0, 0.14), (0.38, -0.34, 0, 0.15)))
+    return skin(shapes, quads=5888, seed=3, cell=0.032, blend=0.03)
+
+
+def vase():
+    """Rough: a fluted belly, ringed neck, a foot, and a lip around the mouth."""
+    belly = tube((0, -0.72, 0, 0.32), (0, -0.42, 0, 0.50), (0, 0.02, 0, 0.56), (0, 0.40, 0, 0.36),
+                 (0, 0.66, 0, 0.25), (0, 0.92, 0, 0.29))
+    shapes = [fluted(belly, 18, 0.022, -0.12, 0.46),
+              disc(-1.08, -0.92, 0.46, 0.06), disc(-0.80, -0.72, 0.46, 0.035),
+              disc(0.50, 0.56, 0.345, 0.03), disc(0.64, 0.70, 0.315, 0.03),
+              disc(0.96, 1.10, 0.42, 0.06)]
+    mouth = tube((0, 1.40, 0, 0.26), (0, 0.96, 0, 0.20))
+    field = union(shapes, 0.02)
+    return skin([carve(field, mouth)], quads=14624, seed=2, cell=0.02, blend=0.02)
+
+
+def cube_cylinder():
+    """A cube and a cylinder on it, with edges."""
+    shapes = [box((-0.62, -1, -0.62), (0.62, 0.24, 0.62), 0.05), disc(0.10, 1.1, 0.40, 0.05)]
+    return skin(shapes, quads=15560, seed=2, cell=0.02, blend=0.015)
+
+
 MODELS = {"squirrel": squirrel, "turtle": turtle, "balloon": balloon, "bowl": bowl,
-          "pillow": pillow, "teddy": teddy, "heart": heart, "star": star, "dog": dog}
+          "pillow": pillow, "teddy": teddy, "heart": heart, "star": star, "dog": dog,
+          "vase": vase, "bird": bird, "holes": holes, "cube-cylinder": cube_cylinder}
 
 
 # --- out --------------------------------------------------------------------------------------

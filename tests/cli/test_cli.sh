@@ -35,7 +35,8 @@ for model in assets/models/*.obj; do
     ok "$model is closed and all quads" grep -qE "^faces: ([0-9]+) \(\1 quads, 0 triangles\)" <<<"$out"
     ok "$model has no rim" grep -qx "boundary edges: 0" <<<"$out"
     quads=$(sed -nE 's/^faces: ([0-9]+) .*/\1/p' <<<"$out")
-    ok "$model has 400 to 12,000 quads" test "$quads" -ge 400 -a "$quads" -le 12000
+    # the largest of the thin-shell paper's has 15,505 vertices
+    ok "$model has 400 to 16,000 quads" test "$quads" -ge 400 -a "$quads" -le 16000
 done
 ok "one model has 11,000 quads" test "$(for m in assets/models/*.obj; do "$balloon" check "$m"; done |
     sed -nE 's/^faces: ([0-9]+) .*/\1/p' | sort -n | tail -1)" -ge 10900

@@ -308,6 +308,30 @@ static void gas_is_let_out_until_ambient(void** state) {
     world_close(&world);
 }
 
+/// The helium balloon sinks below l = 2.0555 and rises above it.
+static void helium_lifts_off_when_filled_enough(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "lift-off");
+    const double weight = 9.81 * 4 * 3.14159265358979 * 0.01 * 3e-4 * 1000;
+    bool light = false;
+    while (world_time(&world) < 6) {
+        run_for(&world, 0.1);
+        const double l = cbrt(probe(&world, "balloon0.volume") / (4.18879 * 1e-3));
+        const double lift = probe(&world, "balloon0.lift");
+        if (l < 2.03) // the mesh is a little smaller than its sphere
+            assert_less(lift, weight);
+        if (l > 2.08)
+            assert_less(weight, lift);
+        if (!light)
+            assert_less(probe(&world, "balloon0.py"), 0);
+        light = light || lift > weight;
+    }
+    assert_true(light);
+    assert_less(0, probe(&world, "balloon0.py"));
+    world_close(&world);
+}
+
 /// Where a method cannot solve a step, the state stays whole and the sentence names the step.
 static void a_step_that_is_not_solved_is_named_and_survived(void** state) {
     (void)state;
@@ -340,6 +364,7 @@ int main(void) {
         cmocka_unit_test(a_thin_part_swells_more),
         cmocka_unit_test(the_small_balloon_empties_into_the_big_one),
         cmocka_unit_test(gas_is_let_out_until_ambient),
+        cmocka_unit_test(helium_lifts_off_when_filled_enough),
         cmocka_unit_test(a_step_that_is_not_solved_is_named_and_survived),
     };
     return cmocka_run_group_tests(tests, write_standard, remove_standard);

@@ -16,7 +16,8 @@ static void every_scene_runs_and_stays_finite(void** state) {
     for (int k = 0; k < count; k++) {
         World world;
         WORLD_OF(&world, path[k]);
-        run_for(&world, 5);
+        // an implicit step of a skin costs a hundred explicit ones
+        run_for(&world, world.method == &method_newton ? 1 : 5);
         if (!is_finite(&world) || world.blowup.halted != is_failure(path[k]))
             fail_msg("%s: %s", path[k], world.blowup.text);
         world_close(&world);
