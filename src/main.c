@@ -14,6 +14,7 @@
 #include "show/keys.h"
 #include "show/run.h"
 #include "view/mode.h"
+#include "world/fails.h"
 #include "world/place.h"
 #include "world/world.h"
 
@@ -242,23 +243,37 @@ static bool verb_chart(const Options* options, Fault* fault) {
     return chart_run(&chart, fault);
 }
 
+/// A scene of failures is told from the others by how it fails.
+static void list_scenes(char** path, int count, bool failures) {
+    for (int k = 0; k < count; k++) {
+        WorldDef def;
+        Fault bad = {0};
+        const bool good = scene_load(path[k], NULL, 0, &def, &bad);
+        char name[256], words[512];
+        scene_name(path[k], name);
+        if (failures == (good && def.fails)) {
+            printf("  %-22s %s\n", name, !good ? bad.text : def.title ? def.title : "");
+            if (failures) {
+                fails_words(def.fails, words, sizeof words);
+                printf("  %-22s %s\n", "", words);
+            }
+        }
+        if (good)
+            scene_free(&def);
+    }
+}
+
 static bool verb_list(const Options* options, Fault* fault) {
     (void)options;
     (void)fault;
     char** path;
     const int scenes = scene_list(&path);
     puts("scenes (assets/scenes)");
-    for (int k = 0; k < scenes; k++) {
-        WorldDef def;
-        Fault bad = {0};
-        const bool good = scene_load(path[k], NULL, 0, &def, &bad);
-        char name[256];
-        scene_name(path[k], name);
-        printf("  %-22s %s\n", name, !good ? bad.text : def.title ? def.title : "");
-        if (good)
-            scene_free(&def);
+    list_scenes(path, scenes, false);
+    puts("scenes that fail (assets/scenes/fails)");
+    list_scenes(path, scenes, true);
+    for (int k = 0; k < scenes; k++)
         free(path[k]);
-    }
     free(path);
     puts("models that the program makes itself");
     for (int k = 0; k < shape_count; k++)

@@ -4,7 +4,7 @@ set -uo pipefail
 cd "$(dirname "$0")/.."
 one=$1 other=$2
 bad=0 count=0
-for scene in assets/scenes/*.yaml; do
+for scene in assets/scenes/*.yaml assets/scenes/fails/*.yaml; do
     for program in balloon balloon-double; do
         a=$("$one/$program" run "$scene" --seconds 1 --hash --quiet | tail -1)
         b=$("$other/$program" run "$scene" --seconds 1 --hash --quiet | tail -1)

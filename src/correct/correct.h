@@ -15,6 +15,7 @@
 typedef struct Correct {
     bool on;
     bool tarantino;
+    bool phantom;                   ///< velocities stay as they were, to show what that does
     double threshold[SPRING_KINDS]; ///< ratio over rest length; 0: this kind is not corrected
     real4* ahead;                   ///< [count] where the particles are about to go, while on
     int corrected;                  ///< springs that the last step corrected

@@ -6,6 +6,7 @@
 
 #include "show/pacer.h"
 #include "show/session.h"
+#include "world/fails.h"
 #include "world/probe.h"
 
 static double cpu_seconds(void) {
@@ -59,6 +60,11 @@ static long next_about(const World* world, long from, long until) {
         if (at > from && at < until)
             until = at;
     }
+    if (world->def.fails) {
+        const long at = pacer_steps(world->def.fails->at, world->step);
+        if (at > from && at < until)
+            until = at;
+    }
     return until;
 }
 
@@ -69,6 +75,15 @@ static void print_about(const World* world) {
         if (pacer_steps(about->at, world->step) == world->clock &&
             probe_value(world, about->output, &value))
             printf("%s at %g s: %.9g\n", about->output, about->at, value);
+    }
+    const FailsDef* fails = world->def.fails;
+    double value;
+    if (fails && fails->output && pacer_steps(fails->at, world->step) == world->clock &&
+        probe_value(world, fails->output, &value)) {
+        char words[512];
+        fails_words(fails, words, sizeof words);
+        printf("%s at %g s: %.9g, which %s: %s\n", fails->output, fails->at, value,
+               fails_seen(world) ? "fails as said" : "does not fail as said", words);
     }
 }
 

@@ -26,6 +26,7 @@ typedef struct Solver {
     double tolerance;        ///< left of the step's equation, relative [1]; below 0: do not look
     double linear_tolerance; ///< left of each linear equation, relative [1]
     StepStart start;
+    bool in_place; ///< euler: each particle moves before the next one's force is computed
 } Solver;
 
 /// What the last kick took.

@@ -171,6 +171,7 @@ static void take_correction(Balloon* balloon) {
         correct->threshold[SHEAR] = def->shear;
         correct->threshold[FLEXION] = def->flexion;
         correct->tarantino = def->tarantino;
+        correct->phantom = def->phantom;
     } else {
         for (int kind = 0; kind < SPRING_KINDS; kind++)
             correct->threshold[kind] = given_threshold;
@@ -211,7 +212,8 @@ static void make(Balloon* balloon, const WorldDef* world) {
             body, &(Solver){.iterations = (int)solver->iterations,
                             .tolerance = solver->fixed ? -1 : solver->tolerance,
                             .linear_tolerance = solver->linear_tolerance,
-                            .start = solver->start});
+                            .start = solver->start,
+                            .in_place = solver->in_place});
     }
     balloon_fill(balloon, 0);
 }

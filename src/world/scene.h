@@ -123,6 +123,7 @@ typedef struct CorrectionDef {
     double shear;
     double flexion;
     bool tarantino; ///< a spring that was corrected exerts no force in the next step
+    bool phantom;   ///< velocities are left as they were before
 } CorrectionDef;
 
 typedef struct BalloonDef {
@@ -175,6 +176,7 @@ typedef struct SolverDef {
     double linear_tolerance;
     bool fixed; ///< make all iterations, whatever is left
     StepStart start;
+    bool in_place;      ///< euler moves each particle before the next one's force is computed
     bool paper_tangent; ///< the gas's stiffness is the thin-shell paper's, a third of the right one
 } SolverDef;
 
@@ -184,6 +186,20 @@ typedef struct AboutDef {
     double at;        ///< [s] required
     double tolerance; ///< relative, required
 } AboutDef;
+
+/// `fails:` what goes wrong in a scene of the museum of failures, and what cures it: the state goes
+/// bad and is caught, or a measured number is on the wrong side of a limit. Tests hold every scene
+/// of assets/scenes/fails to both (world/fails.h).
+typedef struct FailsDef {
+    double at;     ///< by when [s] required
+    bool halts;    ///< the state goes bad; else
+    char* output;  ///< this CSV column is
+    double* above; ///< above this
+    double* below; ///< or below this,
+    double* truth; ///< where this would be right
+    char** cure;   ///< overrides, KEY=VALUE, with which it does not fail; NULL: there is none
+    unsigned cure_count;
+} FailsDef;
 
 /// `camera:` where the eye is; a scene without one is framed as a whole.
 typedef struct CameraDef {
@@ -206,6 +222,7 @@ typedef struct WorldDef {
     CameraDef* camera;
     AboutDef* about;
     unsigned about_count;
+    FailsDef* fails;    ///< NULL: it does not
     ContactLaw contact; ///< what balls and skins do to each other
     SphereDef* spheres;
     unsigned spheres_count;

@@ -17,6 +17,7 @@ const Range range_table[] = {
     {"pipes.*.start",                        0, INFINITY, false},
     {"about.*.at",                           0, INFINITY, false},
     {"about.*.tolerance",                    0, INFINITY, true},
+    {"fails.at",                             0, INFINITY, true},
     {"spheres.*.radius",                     0, INFINITY, true},
     {"spheres.*.mass",                       0, INFINITY, true},
     {"spheres.*.restitution",                0, 1,        false},

@@ -199,6 +199,12 @@ static bool camera_looks_nowhere(const CameraDef* camera) {
            camera->eye[2] == camera->look[2];
 }
 
+/// A failure is of one kind, and a number fails on one side.
+static bool fails_in_no_way(const FailsDef* fails) {
+    return fails && (fails->halts ? fails->output || fails->above || fails->below || fails->truth
+                                  : !fails->output || !fails->above == !fails->below);
+}
+
 bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
     if (def->method && !method_find(def->method))
         return tree_fault(tree, tree_find(tree, "method"), fault, "no method '%s'; there are %s",
@@ -206,6 +212,9 @@ bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
     if (camera_looks_nowhere(def->camera))
         return tree_fault(tree, tree_find(tree, "camera"), fault,
                           "the camera's eye is where it looks");
+    if (fails_in_no_way(def->fails))
+        return tree_fault(tree, tree_find(tree, "fails"), fault,
+                          "a failure is halts: true, or an output that is above or below a number");
     for (unsigned i = 0; i < def->walls_count; i++) {
         const double* n = def->walls[i].normal;
         char path[64];

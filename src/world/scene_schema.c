@@ -115,11 +115,9 @@ static const cyaml_schema_field_t damping_field[] = {
 };
 
 static const cyaml_schema_field_t correction_field[] = {
-    NUMBER(structural, MAY, CorrectionDef),
-    NUMBER(shear, MAY, CorrectionDef),
-    NUMBER(flexion, MAY, CorrectionDef),
-    YES_NO(tarantino, CorrectionDef),
-    CYAML_FIELD_END,
+    NUMBER(structural, MAY, CorrectionDef), NUMBER(shear, MAY, CorrectionDef),
+    NUMBER(flexion, MAY, CorrectionDef),    YES_NO(tarantino, CorrectionDef),
+    YES_NO(phantom, CorrectionDef),         CYAML_FIELD_END,
 };
 
 static const cyaml_schema_field_t string_field[] = {
@@ -180,6 +178,7 @@ static const cyaml_schema_field_t solver_field[] = {
     NUMBER(linear_tolerance, MAY, SolverDef),
     YES_NO(fixed, SolverDef),
     NAME(start, MAY, SolverDef, step_start_word),
+    YES_NO(in_place, SolverDef),
     YES_NO(paper_tangent, SolverDef),
     CYAML_FIELD_END,
 };
@@ -191,6 +190,20 @@ static const cyaml_schema_field_t about_field[] = {
     CYAML_FIELD_END,
 };
 static const cyaml_schema_value_t about = {CYAML_VALUE_MAPPING(MUST, AboutDef, about_field)};
+
+static const cyaml_schema_value_t words = {
+    CYAML_VALUE_STRING(CYAML_FLAG_POINTER, char*, 1, TEXT_MOST)};
+
+static const cyaml_schema_field_t fails_field[] = {
+    NUMBER(at, MUST, FailsDef),
+    YES_NO(halts, FailsDef),
+    TEXT(output, MAY, FailsDef, WORD_MOST),
+    NUMBER_OR_NULL(above, FailsDef),
+    NUMBER_OR_NULL(below, FailsDef),
+    NUMBER_OR_NULL(truth, FailsDef),
+    GROUPS(cure, MAY, FailsDef, &words, 0),
+    CYAML_FIELD_END,
+};
 
 static const cyaml_schema_field_t camera_field[] = {
     VECTOR(eye, MUST, CameraDef),
@@ -212,6 +225,7 @@ static const cyaml_schema_field_t world_field[] = {
     NUMBER(seconds, MAY, WorldDef),
     GROUP_OR_NULL(camera, WorldDef, camera_field),
     GROUPS(about, MAY, WorldDef, &about, 0),
+    GROUP_OR_NULL(fails, WorldDef, fails_field),
     NAME(contact, MAY, WorldDef, contact_law_word),
     GROUPS(spheres, MAY, WorldDef, &sphere, 0),
     GROUPS(walls, MAY, WorldDef, &wall, 0),

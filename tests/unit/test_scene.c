@@ -21,10 +21,17 @@ static void every_key_of_a_world_loads_into_its_field(void** state) {
     assert_int_equal(def.about_count, 1);
     assert_string_equal(def.about[0].output, "balloon0.cy");
     assert_true(def.about[0].at == 20 && def.about[0].tolerance == 0.05);
+    const FailsDef* fails = def.fails;
+    assert_true(fails->at == 2 && !fails->halts && *fails->above == 0.5 && *fails->truth == -1);
+    assert_string_equal(fails->output, "balloon0.cy");
+    assert_null(fails->below);
+    assert_int_equal(fails->cure_count, 2);
+    assert_string_equal(fails->cure[1], "gravity=1");
     assert_int_equal(def.balloons_count, 2);
     const SolverDef* solver = &def.solver;
     assert_true(solver->iterations == 7 && solver->tolerance == 1e-5);
     assert_true(solver->linear_tolerance == 1e-3 && solver->fixed && solver->paper_tangent);
+    assert_true(solver->in_place);
     assert_int_equal(solver->start, START_REST);
     assert_int_equal(def.pipes_count, 1);
     assert_true(def.pipes[0].from == 0 && def.pipes[0].to == 1);
@@ -88,7 +95,7 @@ static void every_key_of_a_balloon_loads_into_its_field(void** state) {
     assert_true(balloon->damping->coefficient == 0.2 && balloon->damping->rate == 0);
     const CorrectionDef* correction = balloon->correction;
     assert_true(correction->structural == 0.1 && correction->shear == 0.2);
-    assert_true(correction->flexion == 0.3 && correction->tarantino);
+    assert_true(correction->flexion == 0.3 && correction->tarantino && correction->phantom);
     scene_free(&def);
 }
 

@@ -85,6 +85,9 @@ static const Wrong wrong_table[] = {
     {HEAD "    inflation: {law: gas,\n      amount: -1}\n", 6, "there is no gas of less than nothing"},
     {HEAD "    inflation: {law: area, least: 2, most: 1}\n", 5, "most must be greater than least"},
     {HEAD "camera: {eye: [0, 1, 0], look: [0, 1, 0]}\n", 5, "the camera's eye is where it looks"},
+    {HEAD "fails: {at: 1}\n", 5, "a failure is halts: true, or an output"},
+    {HEAD "fails: {at: 1, output: balloon0.cy, above: 1, below: 2}\n", 5, "a failure is halts"},
+    {HEAD "fails: {at: 1, halts: true, output: balloon0.cy}\n", 5, "a failure is halts: true"},
     // YAML itself
     {HEAD "    color: [1, 1\n",      5, "this is not YAML"},
     {HEAD "   color: 1\n",           5, "this is not YAML"},

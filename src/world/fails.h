@@ -1,0 +1,14 @@
+/// Whether a scene fails as it says (FailsDef of world/scene.h).
+#ifndef BALLOON_WORLD_FAILS_H
+#define BALLOON_WORLD_FAILS_H
+
+#include "world/world.h"
+
+/// Whether the world, stepped up to `fails.at`, has failed as its scene says. A world that was to
+/// be measured and has halted instead has not.
+bool fails_seen(const World* world);
+
+/// "by 2 s the state goes bad; cure: step=0.002", or "balloon0.volume at 2 s is below 1, not 1.22".
+void fails_words(const FailsDef* fails, char* words, size_t size);
+
+#endif

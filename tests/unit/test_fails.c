@@ -1,0 +1,100 @@
+/// The museum of failures: every scene of it fails as it says, and not where it is cured.
+#include "worlds.h"
+
+#include "world/fails.h"
+
+enum { CURES_MOST = 8 };
+
+/// Run the scene to where it says it has failed, cured or not.
+static void run_exhibit(World* world, const char* path, bool cured) {
+    WorldDef def;
+    Fault fault = {0};
+    SceneSet cure[CURES_MOST];
+    assert_true(scene_load(path, NULL, 0, &def, &fault));
+    assert_non_null(def.fails);
+    const int cures = cured ? (int)def.fails->cure_count : 0;
+    assert_in_range(cures, cured, CURES_MOST);
+    for (int k = 0; k < cures; k++)
+        cure[k].text = def.fails->cure[k];
+    WorldDef again;
+    assert_true(scene_load(path, cure, cures, &again, &fault));
+    assert_true(world_open(world, &again, &fault));
+    run_for(world, def.fails->at);
+    scene_free(&def);
+}
+
+static bool is_of_this_precision(const WorldDef* def) {
+    return def->precision == PRECISION_ANY ||
+           (def->precision == PRECISION_DOUBLE) == (sizeof(real) == sizeof(double));
+}
+
+static void every_failure_fails_as_said(void** state) {
+    (void)state;
+    char** path;
+    const int count = scene_list(&path);
+    int failures = 0;
+    for (int k = 0; k < count; k++) {
+        if (strstr(path[k], "/fails/")) {
+            World world;
+            run_exhibit(&world, path[k], false);
+            if (is_of_this_precision(&world.def) && !fails_seen(&world))
+                fail_msg("%s does not fail as it says", path[k]);
+            failures++;
+            world_close(&world);
+        }
+        free(path[k]);
+    }
+    free(path);
+    assert_true(failures >= 15);
+}
+
+/// A cure does away with the failure, and where the right number is known, it is met: 2 % are the
+/// exhibits' coarse meshes and long steps.
+static void every_cure_cures(void** state) {
+    (void)state;
+    char** path;
+    const int count = scene_list(&path);
+    for (int k = 0; k < count; k++) {
+        WorldDef def;
+        Fault fault = {0};
+        assert_true(scene_load(path[k], NULL, 0, &def, &fault));
+        if (def.fails && def.fails->cure_count > 0) {
+            World world;
+            run_exhibit(&world, path[k], true);
+            double value;
+            if (world.blowup.halted || fails_seen(&world))
+                fail_msg("%s fails though it is cured: %s", path[k], world.blowup.text);
+            if (def.fails->truth && probe_value(&world, def.fails->output, &value))
+                assert_close(value, *def.fails->truth, 0.02);
+            world_close(&world);
+        }
+        scene_free(&def);
+        free(path[k]);
+    }
+    free(path);
+}
+
+/// What fails lies in the museum, and nothing else does.
+static void only_the_museum_fails(void** state) {
+    (void)state;
+    char** path;
+    const int count = scene_list(&path);
+    for (int k = 0; k < count; k++) {
+        WorldDef def;
+        Fault fault = {0};
+        assert_true(scene_load(path[k], NULL, 0, &def, &fault));
+        assert_true((def.fails != NULL) == (strstr(path[k], "/fails/") != NULL));
+        scene_free(&def);
+        free(path[k]);
+    }
+    free(path);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_failure_fails_as_said),
+        cmocka_unit_test(every_cure_cures),
+        cmocka_unit_test(only_the_museum_fails),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
