@@ -7,6 +7,7 @@
 #include "force/force.h"
 #include "lab/bench.h"
 #include "lab/chart.h"
+#include "lab/peer_run.h"
 #include "lab/stability.h"
 #include "mesh/load.h"
 #include "mesh/shape.h"
@@ -33,6 +34,7 @@ typedef struct Options {
     const char* csv;
     const char* obj;
     const char* mode;
+    const char* fit;
     bool hash, time, quiet, overlay, quick, all;
     SceneSet set[SETS_MOST];
     int set_count;
@@ -69,6 +71,7 @@ static const Option option_table[] = {
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
     {"--quick",     NULL,       "bench, chart, stability: a thinned measurement",  FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is",                     FLAG(all)},
+    {"--fit",       "P,V[,S]",  "peer: links that rest at V first volumes under P [Pa], at step S", TEXT(fit)},
     {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
     {"--step",      "S",        "length of a step [s]",                            .key = "step"},
     {"--guard",     "split|stop|off", "what to do with a step that is too long",   .key = "guard"},
@@ -191,6 +194,34 @@ static bool verb_run(const Options* options, Fault* fault) {
     return good;
 }
 
+static bool read_fit(const char* text, PeerFit* fit, Fault* fault) {
+    char rest;
+    const int count =
+        text ? sscanf(text, "%lf,%lf,%lf%c", &fit->pressure, &fit->ratio, &fit->step, &rest) : 2;
+    return ((count == 2 || count == 3) && fit->pressure >= 0 && fit->ratio >= 0 &&
+            fit->step >= 0) ||
+           fault_set(fault, "--fit", "'%s' is not a pressure and a volume such as 800,1.33", text);
+}
+
+static bool verb_peer(const Options* options, Fault* fault) {
+    World world;
+    PeerRun peer = {.time = options->time, .quiet = options->quiet};
+    if (!options->target)
+        return fault_set(fault, NULL, "Bullet in which scene? See balloon --help");
+    if (options->csv && strcmp(options->csv, "-") != 0)
+        return fault_set(fault, "--csv", "a peer prints its numbers; write --csv -");
+    if (!read_fit(options->fit, &peer.fit, fault) || !open_world(options, &world, arguments, fault))
+        return false;
+    const double given = world.def.seconds > 0 ? world.def.seconds : 10;
+    const bool good = number(options->seconds, "--seconds", given, &peer.seconds, fault) &&
+                      number(options->fps, "--fps", 60, &peer.fps, fault) &&
+                      peer_run(&world, &peer, options->csv ? stdout : NULL, fault);
+    if (good && options->hash)
+        print_hash(&world);
+    world_close(&world);
+    return good;
+}
+
 static bool verb_check(const Options* options, Fault* fault) {
     Mesh mesh = {0};
     MeshReport report = {0};
@@ -302,6 +333,7 @@ static const Verb verb_table[] = {
     {"play",   "[SCENE|MESH]", "open a window and play; the verb may be left out", verb_play},
     {"render", "SCENE|MESH",   "headless frames or a film",                        verb_render},
     {"run",    "SCENE|MESH",   "simulate only, no drawing",                        verb_run},
+    {"peer",   "SCENE|MESH",   "Bullet's own soft body instead, to compare",       verb_peer},
     {"check",  "MESH",         "the mesh doctor; exit 1 if it is unusable",        verb_check},
     {"bench",  "[CASE]",       "measure: all cases, or one",                      verb_bench},
     {"chart",  "[SCENE]",      "speed against accuracy: all scenes, or one",       verb_chart},

@@ -10,8 +10,10 @@
 #define COMPILER "gcc " __VERSION__
 #endif
 
+const char chart_peer_name[] = "bullet";
+
 bool chart_is_peer(const ChartPoint* point) {
-    return strcmp(point->method, "bullet") == 0;
+    return strcmp(point->method, chart_peer_name) == 0;
 }
 
 bool chart_same_line(const ChartPoint* a, const ChartPoint* b) {

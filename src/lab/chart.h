@@ -26,9 +26,8 @@ typedef struct ChartPoint {
     const ChartMeasure* measure;
     char name[64];   ///< of the scene and, where there are several, of what is measured
     char method[32]; ///< "bullet": the peer
-    char skin[16];   ///< springs or membrane
+    char skin[16];   ///< springs, membrane, or the peer's links
     char law[32];    ///< of the springs, or the membrane's material
-    char model[32];
     int vertices;
     double step; ///< [s]
     const char* precision;
@@ -36,12 +35,15 @@ typedef struct ChartPoint {
 
     double ms; ///< CPU time per simulated second [ms]
     double measured, truth, error;
-    bool stable; ///< it came to its end
-    int parts;   ///< in which the guard had a step made
+    double floor; ///< the truth's own error, 0 of closed forms
+    bool stable;  ///< it came to its end
+    int parts;    ///< in which the guard had a step made
     char hash[24];
     bool best_of_line; ///< none of its method on its skin is both cheaper and closer
     bool best;         ///< nor is any other
 } ChartPoint;
+
+enum { CHART_REFERENCES = 4 }; ///< runs of a case without a closed form
 
 /// All points of a chart and the runs that they want; points may share one.
 typedef struct ChartPlan {
@@ -49,6 +51,9 @@ typedef struct ChartPlan {
     int points;
     Launch* launch;
     int launches;
+    Launch* reference; ///< four in a row for each case that needs them, in the table's order
+    int references;
+    const ChartCase** referred; ///< [references / 4] the cases
 } ChartPlan;
 
 bool chart_plan(ChartPlan* plan, const ChartOptions* options, Fault* fault);
@@ -58,6 +63,7 @@ void chart_plan_free(ChartPlan* plan);
 bool chart_measure(ChartPlan* plan, Fault* fault);
 
 /// Bullet's own soft body.
+extern const char chart_peer_name[];
 bool chart_is_peer(const ChartPoint* point);
 
 /// A line of a chart: one method on one skin.

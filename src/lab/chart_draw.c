@@ -26,10 +26,14 @@ static const char* color_of(const char* method) {
     return color_table[0];
 }
 
-/// gnuplot's filled circle for membranes, square for springs; hollow in float.
+/// gnuplot's filled circle for membranes, square for springs, triangle for the peer; hollow in
+/// float.
 static int shape_of(const ChartPoint* point, bool hollow) {
-    const int circle = 7, square = 5;
-    return (strcmp(point->skin, "springs") == 0 ? square : circle) - hollow;
+    const int circle = 7, square = 5, triangle = 9;
+    return (chart_is_peer(point)                  ? triangle
+            : strcmp(point->skin, "springs") == 0 ? square
+                                                  : circle) -
+           hollow;
 }
 
 static bool is_drawn(const ChartPlan* plan, int from, int p) {
@@ -43,6 +47,8 @@ static bool is_drawn(const ChartPlan* plan, int from, int p) {
 
 static void error_range(const ChartPlan* plan, int from, int to, double* low, double* high) {
     *low = error_least, *high = 10 * error_least;
+    if (plan->point[from].floor > 0)
+        *low = fmin(*low, plan->point[from].floor);
     for (int p = from; p < to; p++) {
         const double error = plan->point[p].error;
         if (plan->point[p].launch == NONE || !(error > 0) || !isfinite(error))
@@ -111,12 +117,12 @@ static bool draw_one(const ChartPlan* plan, int from, int to, const char* folder
             "set title \"{/:Bold %s}\\n{/*0.8 %s}\"\n"
             "set logscale xy\nset format y '10^{%%L}'\nset grid lt 1 lc rgb '#dddddd'\nset "
             "pointsize 1.1\n"
-            "set xlabel 'CPU time per simulated second [ms]'\nset ylabel 'error of the %s'\n"
+            "set xlabel 'CPU time per simulated second [ms]'\nset ylabel '%s%s'\n"
             "set yrange [%g:%g]\nset xrange [*<10:3000<*]\nset key outside right top\n"
             "set arrow from %g, graph 0 to %g, graph 1 nohead dt 2 lc '#888888'\n"
             "set label 'real time' at %g, graph 0.02 rotate left offset -0.7,0 tc '#888888'\n",
-            first->chart->about, chart_machine(), first->measure->about, low, high, real_time,
-            real_time, real_time);
+            first->chart->about, chart_machine(), first->truth == 0 ? "" : "error of the ",
+            first->measure->about, low, high, real_time, real_time, real_time);
     fprintf(plot.script,
             "plot \\\n"
             "    'front.csv' using (is('%s','-','-','-') ? $5 : NaN):6 with lines lw 9 "

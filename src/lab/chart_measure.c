@@ -12,12 +12,39 @@ static int rising(const void* a, const void* b) {
     return (x > y) - (x < y);
 }
 
+/// Relative, but where the truth is 0.
+static double error_of(double measured, double truth) {
+    return truth == 0 ? fabs(measured) : fabs(measured - truth) / fabs(truth);
+}
+
 static void take(ChartPoint* point, const Report* report) {
     point->stable = report->ended;
     point->parts = report->parts;
-    point->measured = report->ended ? point->measure->measured(report) : (double)NAN;
-    point->error = fabs(point->measured - point->truth) / fabs(point->truth);
+    point->measured =
+        report->ended ? point->measure->measured(report, point->measure->at) : (double)NAN;
+    point->error = error_of(point->measured, point->truth);
     snprintf(point->hash, sizeof point->hash, "%s", report->hash[0] ? report->hash : "-");
+}
+
+/// What no step at all would give, 2 m(h/2) - m(h), of two methods of order 1: the first's is the
+/// truth, and how far the second's is off is what is not known of it.
+static void take_references(ChartPlan* plan) {
+    for (int r = 0; r < plan->references; r += CHART_REFERENCES) {
+        for (int p = 0; p < plan->points; p++) {
+            ChartPoint* point = &plan->point[p];
+            if (point->chart != plan->referred[r / CHART_REFERENCES])
+                continue;
+            double value[CHART_REFERENCES];
+            for (int k = 0; k < CHART_REFERENCES; k++) {
+                Report report;
+                report_read(&report, &plan->reference[r + k]);
+                value[k] = point->measure->measured(&report, point->measure->at);
+                report_free(&report);
+            }
+            point->truth = 2 * value[1] - value[0];
+            point->floor = error_of(2 * value[3] - value[2], point->truth);
+        }
+    }
 }
 
 /// What the first runs say, in every column but the times.
@@ -73,6 +100,9 @@ static void find_best(ChartPlan* plan) {
 bool chart_measure(ChartPlan* plan, Fault* fault) {
     if (!launch_all(plan->launch, plan->launches, SIDE_BY_SIDE, "errors", fault))
         return false;
+    if (!launch_all(plan->reference, plan->references, SIDE_BY_SIDE, "references", fault))
+        return false;
+    take_references(plan);
     take_errors(plan);
 
     double* ms = new_array(double, TIMES * plan->launches);

@@ -1,6 +1,7 @@
-#include <strings.h>
-
+#include <math.h>
+#include <stdarg.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/memory.h"
 #include "lab/chart.h"
@@ -8,7 +9,7 @@
 #include "world/place.h"
 #include "world/world.h"
 
-enum { SETS = CHART_SETS + 4 };
+enum { SETS = 2 * CHART_SETS + 5 };
 
 /// One skin of a case at one resolution, for one measure: what all methods share.
 typedef struct Dress {
@@ -16,44 +17,59 @@ typedef struct Dress {
     const ChartSkin* skin;
     const ChartResolution* resolution;
     const ChartMeasure* measure;
-    char text[SETS][160];
+    char text[SETS][220];
     SceneSet set[SETS];
     int sets;
 } Dress;
 
-static void add_set(Dress* dress, const char* text) {
-    char* copy = dress->text[dress->sets];
-    snprintf(copy, sizeof dress->text[0], "%s", text);
-    dress->set[dress->sets++].text = copy;
+__attribute__((format(printf, 2, 3))) static void add_set(Dress* dress, const char* format, ...) {
+    char* text = dress->text[dress->sets];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof dress->text[0], format, list);
+    va_end(list);
+    dress->set[dress->sets++].text = text;
 }
 
 /// In place, for it points into itself.
 static void dress_make(Dress* dress, const ChartCase* chart, const ChartSkin* skin,
                        const ChartResolution* resolution, const ChartMeasure* measure) {
     *dress = (Dress){.chart = chart, .skin = skin, .resolution = resolution, .measure = measure};
-    char model[160];
-    snprintf(model, sizeof model, "balloons.0.model=%s", resolution->model);
-    add_set(dress, model);
+    add_set(dress, "balloons.0.model=%s", resolution->model);
     for (int k = 0; k < CHART_SETS && skin->set[k]; k++)
-        add_set(dress, skin->set[k]);
-    if (measure->set)
-        add_set(dress, measure->set);
+        add_set(dress, "%s", skin->set[k]);
+    if (skin->law) { // kd = E h/2, and of E h = ks + 4 kf a third in flexion
+        const double sheet = skin->sheet();
+        add_set(dress,
+                "balloons.0.skin={springs: {structural: %.17g, shear: %.17g, flexion: %.17g, law: "
+                "%s}}",
+                sheet * 2 / 3, sheet / 2, sheet / 12, skin->law);
+    }
+    if (measure->key)
+        add_set(dress, "%s=%.17g", measure->key, measure->value(measure->at));
+}
+
+/// What the peer's scene has of its own.
+static void dress_peer(Dress* dress) {
+    const ChartPeer* peer = &dress->chart->peer;
+    for (int k = 0; k < CHART_SETS && peer->set[k]; k++)
+        add_set(dress, "%s", peer->set[k]);
+    if (peer->key)
+        add_set(dress, "%s=%.17g", peer->key, peer->value());
 }
 
 /// Give every particle its share of the skin's mass, once it is known how many there are.
 static bool share_mass(Dress* dress, Fault* fault) {
     if (dress->skin->mass == 0)
         return true;
-    char path[512], text[160];
+    char path[512];
     const WorldDef nowhere = {0};
     Mesh mesh = {0};
     MeshReport report = {0};
     if (!scene_model_path(&nowhere, dress->resolution->model, path, fault) ||
         !mesh_load(path, &mesh, &report, fault))
         return false;
-    snprintf(text, sizeof text, "balloons.0.mass={per_particle: %.17g}",
-             dress->skin->mass / mesh.point_count);
-    add_set(dress, text);
+    add_set(dress, "balloons.0.mass={per_particle: %.17g}", dress->skin->mass / mesh.point_count);
     mesh_free(&mesh);
     return true;
 }
@@ -68,17 +84,23 @@ static int find_launch(ChartPlan* plan, Launch* launch) {
     return plan->launches++;
 }
 
-/// The command line of a point.
-static bool command(const Dress* dress, const ChartPoint* point, Launch* launch, Fault* fault) {
+/// The command line of a run by a method, or NULL: by the peer.
+static bool command(const Dress* dress, const char* method, double step, const char* precision,
+                    Launch* launch, Fault* fault) {
     char program[512];
-    if (!place_sibling(strcmp(point->precision, "double") == 0 ? "balloon-double" : "balloon",
-                       program, fault))
+    const ChartPeer* peer = &dress->chart->peer;
+    const bool is_double = strcmp(precision, "double") == 0;
+    if (!place_sibling(is_double ? "balloon-double" : "balloon", program, fault))
         return false;
     launch_add(launch, "%s", program);
-    launch_add(launch, "run");
-    launch_add(launch, "%s", dress->chart->scene);
-    launch_add(launch, "--method=%s", point->method);
-    launch_add(launch, "--step=%.17g", point->step);
+    launch_add(launch, method ? "run" : "peer");
+    launch_add(launch, "%s.yaml", dress->chart->scene);
+    if (method)
+        launch_add(launch, "--method=%s", method);
+    else if (peer->pressure)
+        launch_add(launch, "--fit=%.17g,%.17g,%.17g", peer->pressure(), pow(peer->stretch(), 3),
+                   peer->step);
+    launch_add(launch, "--step=%.17g", step);
     for (int k = 0; k < dress->sets; k++)
         launch_add(launch, "--set=%s", dress->set[k].text);
     launch_add(launch, "--seconds=%.17g", dress->chart->seconds);
@@ -96,29 +118,31 @@ static const char* skin_of(const BalloonDef* balloon, const char** law) {
     return balloon->skin.springs ? "springs" : balloon->skin.membrane ? "membrane" : "-";
 }
 
+/// method NULL: the peer's.
 static bool add_point(ChartPlan* plan, const Dress* dress, const World* world, const Method* method,
                       const char* precision, Fault* fault) {
     const char* law;
+    const ChartMeasure* measure = dress->measure;
     ChartPoint* point = &plan->point[plan->points++];
     *point = (ChartPoint){.chart = dress->chart,
-                          .measure = dress->measure,
+                          .measure = measure,
                           .vertices = world->balloon[0].body.count,
                           .step = dress->resolution->step,
                           .precision = precision,
-                          .truth = dress->measure->truth(dress->skin),
+                          .truth = measure->truth ? measure->truth(dress->skin, measure->at)
+                                                  : (double)NAN,
                           .launch = NONE};
-    const char* measure = dress->measure->name;
-    snprintf(point->name, sizeof point->name, "%s%s%s", dress->chart->scene, measure ? "." : "",
-             measure ? measure : "");
-    snprintf(point->method, sizeof point->method, "%s", method->name);
-    snprintf(point->skin, sizeof point->skin, "%s", skin_of(world->balloon[0].def, &law));
-    snprintf(point->law, sizeof point->law, "%s", law);
-    snprintf(point->model, sizeof point->model, "%s", dress->resolution->model);
-    if (method->refuses && method->refuses(&world->balloon[0].body))
+    snprintf(point->name, sizeof point->name, "%s%s%s", dress->chart->scene,
+             measure->name ? "." : "", measure->name ? measure->name : "");
+    const char* skin = skin_of(world->balloon[0].def, &law);
+    snprintf(point->method, sizeof point->method, "%s", method ? method->name : chart_peer_name);
+    snprintf(point->skin, sizeof point->skin, "%s", method ? skin : "links");
+    snprintf(point->law, sizeof point->law, "%s", method ? law : "-");
+    if (method && method->refuses && method->refuses(&world->balloon[0].body))
         return true;
 
     Launch launch = {.words = 0};
-    if (!command(dress, point, &launch, fault)) {
+    if (!command(dress, method ? method->name : NULL, point->step, precision, &launch, fault)) {
         launch_free(&launch);
         return false;
     }
@@ -129,50 +153,96 @@ static bool add_point(ChartPlan* plan, const Dress* dress, const World* world, c
 /// Implicit methods are those that no step makes unstable.
 static bool takes_part(const Method* method, ChartWho who) {
     const bool implicit = method->limit(INFINITY, INFINITY) == INFINITY;
-    return who == ANY || (who == IMPLICIT) == implicit;
+    switch (who) {
+        case EXPLICIT:
+            return !implicit;
+        case IMPLICIT:
+            return implicit;
+        case HELD:
+            return method->limit(1, 0) > 0;
+        default:
+            return true;
+    }
 }
 
-/// All points of one skin at one resolution, for one measure.
-static bool add_points(ChartPlan* plan, Dress* dress, const ChartOptions* options, Fault* fault) {
+/// All points of one skin at one resolution, for one measure; of the peer, or of all methods.
+static bool add_points(ChartPlan* plan, Dress* dress, bool peer, const ChartOptions* options,
+                       Fault* fault) {
     const ChartResolution* at = dress->resolution;
+    char scene[80];
+    snprintf(scene, sizeof scene, "%s.yaml", dress->chart->scene);
     WorldDef def;
     World world;
-    if (!share_mass(dress, fault) ||
-        !scene_load(dress->chart->scene, dress->set, dress->sets, &def, fault) ||
+    if (!share_mass(dress, fault) || !scene_load(scene, dress->set, dress->sets, &def, fault) ||
         !world_open(&world, &def, fault))
         return false;
+    const bool both = at->state == BOTH || options->extent == CHART_ALL;
     bool good = true;
-    for (int k = 0; good && k < method_count; k++) {
-        if (!takes_part(method_table[k], at->who))
+    for (int k = 0; good && k < (peer ? 1 : method_count); k++) {
+        const Method* method = peer ? NULL : method_table[k];
+        if (method && !takes_part(method, at->who))
             continue;
-        good = add_point(plan, dress, &world, method_table[k], "double", fault);
-        if (at->state == BOTH || options->extent == CHART_ALL)
-            good = good && add_point(plan, dress, &world, method_table[k], "float", fault);
+        good = add_point(plan, dress, &world, method, "double", fault) &&
+               (!both || add_point(plan, dress, &world, method, "float", fault));
     }
     world_close(&world);
     return good;
+}
+
+/// The runs that tell what is true where no closed form does: h and h/2 of two methods.
+static bool add_references(ChartPlan* plan, const ChartCase* chart, Fault* fault) {
+    const ChartReference* reference = &chart->reference;
+    const ChartResolution at = {.model = reference->model};
+    Dress dress;
+    dress_make(&dress, chart, &chart->skin[0], &at, &chart->measure[0]);
+    plan->referred[plan->references / CHART_REFERENCES] = chart;
+    if (!share_mass(&dress, fault))
+        return false;
+    for (int k = 0; k < CHART_REFERENCES; k++) {
+        Launch* launch = &plan->reference[plan->references++];
+        const double step = reference->step[k / 2] / (k % 2 + 1);
+        if (!command(&dress, reference->method[k / 2], step, "double", launch, fault))
+            return false;
+    }
+    return true;
 }
 
 static bool is_wanted(const ChartCase* chart, const char* only) {
     return !only || strcmp(chart->scene, only) == 0 || strcasecmp(chart->letter, only) == 0;
 }
 
-/// Calls for each measure, skin and resolution of the extent, in the order of chart.csv.
+/// The points of one list of resolutions; without a plan only their number is added to room.
+static bool walk_resolutions(ChartPlan* plan, const ChartCase* chart, const ChartMeasure* measure,
+                             const ChartSkin* skin, const ChartOptions* options, int* room,
+                             Fault* fault) {
+    const ChartResolution* at = skin ? skin->resolution : chart->peer.resolution;
+    for (; at && at->model; at++) {
+        if (at->extent > options->extent)
+            continue;
+        *room += 2 * method_count;
+        if (!plan)
+            continue;
+        Dress dress;
+        dress_make(&dress, chart, skin ? skin : &chart->skin[0], at, measure);
+        if (!skin)
+            dress_peer(&dress);
+        if (!add_points(plan, &dress, !skin, options, fault))
+            return false;
+    }
+    return true;
+}
+
+/// Each measure, skin and resolution of the extent, in the order of chart.csv; the peer last.
 static bool walk(ChartPlan* plan, const ChartCase* chart, const ChartOptions* options, int* room,
                  Fault* fault) {
-    for (int m = 0; m < CHART_MEASURES && chart->measure[m].measured; m++)
+    for (int m = 0; m < CHART_MEASURES && chart->measure[m].measured; m++) {
+        const ChartMeasure* measure = &chart->measure[m];
         for (int s = 0; s < CHART_SKINS && chart->skin[s].resolution; s++)
-            for (const ChartResolution* at = chart->skin[s].resolution; at->model; at++) {
-                if (at->extent > options->extent)
-                    continue;
-                *room += 2 * method_count;
-                if (!plan)
-                    continue;
-                Dress dress;
-                dress_make(&dress, chart, &chart->skin[s], at, &chart->measure[m]);
-                if (!add_points(plan, &dress, options, fault))
-                    return false;
-            }
+            if (!walk_resolutions(plan, chart, measure, &chart->skin[s], options, room, fault))
+                return false;
+        if (!walk_resolutions(plan, chart, measure, NULL, options, room, fault))
+            return false;
+    }
     return true;
 }
 
@@ -183,20 +253,32 @@ bool chart_plan(ChartPlan* plan, const ChartOptions* options, Fault* fault) {
         if (is_wanted(chart_table[k], options->only))
             walk(NULL, chart_table[k], options, &room, fault);
     if (room == 0)
-        return fault_set(fault, options->only, "no such scene in the chart; see balloon list");
+        return fault_set(fault, options->only, "no such scene in this chart; see balloon list");
     plan->point = new_array(ChartPoint, room);
     plan->launch = new_array(Launch, room);
-    for (int k = 0; k < chart_count; k++)
-        if (is_wanted(chart_table[k], options->only) &&
-            !walk(plan, chart_table[k], options, &room, fault))
+    plan->reference = new_array(Launch, CHART_REFERENCES * chart_count);
+    plan->referred = new_array(const ChartCase*, chart_count);
+    for (int k = 0; k < chart_count; k++) {
+        const int before = plan->points;
+        if (!is_wanted(chart_table[k], options->only))
+            continue;
+        if (!walk(plan, chart_table[k], options, &room, fault))
             return false;
+        if (plan->points > before && chart_table[k]->reference.model &&
+            !add_references(plan, chart_table[k], fault))
+            return false;
+    }
     return true;
 }
 
 void chart_plan_free(ChartPlan* plan) {
     for (int k = 0; k < plan->launches; k++)
         launch_free(&plan->launch[k]);
+    for (int k = 0; k < plan->references; k++)
+        launch_free(&plan->reference[k]);
     free(plan->launch);
+    free(plan->reference);
+    free(plan->referred);
     free(plan->point);
     *plan = (ChartPlan){0};
 }

@@ -144,6 +144,10 @@ void peer_add_sphere(Peer* peer, const Sphere* sphere) {
     peer->world.getWorldInfo().m_sparsesdf.setDefaultVoxelsz((btScalar)(peer->smallest / VOXELS));
 }
 
+void peer_set_pressure(Peer* peer, double pressure) {
+    peer->skin.m_cfg.kPR = (btScalar)pressure;
+}
+
 void peer_step(Peer* peer, double h) {
     peer->world.stepSimulation((btScalar)h, 0); // 0: this one step, as long as it is
 }

@@ -49,6 +49,9 @@ Peer* peer_open(const PeerDef* def);
 /// A rigid ball; of its restitution Bullet's contacts with soft bodies know nothing.
 void peer_add_sphere(Peer* peer, const Sphere* sphere);
 
+/// kPR from now on, pressure times volume [J].
+void peer_set_pressure(Peer* peer, double pressure);
+
 void peer_step(Peer* peer, double h);
 
 /// x [point_count] positions and v [point_count] velocities; either may be NULL.

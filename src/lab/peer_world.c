@@ -5,16 +5,17 @@
 #include "base/memory.h"
 #include "world/probe.h"
 
-/// p V times by how much Bullet's pressure force on the skin's points falls short of p dV/dx: it
-/// takes the mean area of the faces around a point, not a third of their sum.
+double peer_pressure(const Mesh* mesh, double pressure, double volume, double area, double first) {
+    const double faces = 3.0 * mesh->triangle_count / mesh->point_count; // at a point
+    return pressure * volume * faces / 3 * area / first;
+}
+
 static double pressure_of(const World* world) {
-    const Mesh* mesh = &world->balloon[0].mesh;
     double pressure = 0, volume = 0;
     if (!probe_value(world, "balloon0.gauge_pressure", &pressure) ||
         !probe_value(world, "balloon0.volume", &volume))
         return 0;
-    const double faces = 3.0 * mesh->triangle_count / mesh->point_count; // at a point
-    return pressure * volume * faces / 3;
+    return peer_pressure(&world->balloon[0].mesh, pressure, volume, 1, 1);
 }
 
 /// Radius of the largest circle that lies between the points of a right triangle.
@@ -30,6 +31,11 @@ static double widest_gap(const Body* body) {
 }
 
 Peer* peer_of_world(const World* world, int position_rounds) {
+    const PeerDef usual = peer_def_default();
+    return peer_with_links(world, &(PeerLinks){usual.stiffness, position_rounds});
+}
+
+Peer* peer_with_links(const World* world, const PeerLinks* links) {
     const Body* body = &world->balloon[0].body;
     double4* point = new_array(double4, body->count);
     PeerDef def = peer_def_default();
@@ -44,7 +50,8 @@ Peer* peer_of_world(const World* world, int position_rounds) {
     def.triangle = (const int(*)[3])body->mesh->triangle;
     def.pressure = pressure_of(world);
     def.damping = fmin(1, body_drag(body, 0) / (double)body->mass[0] * world->step);
-    def.position_rounds = position_rounds;
+    def.stiffness = links->stiffness;
+    def.position_rounds = links->rounds;
     def.margin = widest_gap(body);
     def.gravity = world->collide.gravity;
     Peer* peer = peer_open(&def);

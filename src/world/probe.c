@@ -80,6 +80,17 @@ static double lift(const Balloon* balloon) {
                                      gas_mass(&body->inflation));
 }
 
+/// Side of the bounding box along an axis.
+static double extent(const Balloon* balloon, int axis) {
+    const Body* body = &balloon->body;
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < body->count; i++) {
+        low = fmin(low, (double)body->x[i][axis]);
+        high = fmax(high, (double)body->x[i][axis]);
+    }
+    return high - low;
+}
+
 static double stretch_max(const Balloon* balloon) {
     const Springs* springs = &balloon->body.springs;
     const Membrane* membrane = &balloon->body.membrane;
@@ -122,6 +133,9 @@ static double pz(const Balloon* b) { return momentum(&b->body)[2]; }
 static double lx(const Balloon* b) { return angular_momentum(&b->body)[0]; }
 static double ly(const Balloon* b) { return angular_momentum(&b->body)[1]; }
 static double lz(const Balloon* b) { return angular_momentum(&b->body)[2]; }
+static double width(const Balloon* b) { return extent(b, 0); }
+static double height(const Balloon* b) { return extent(b, 1); }
+static double depth(const Balloon* b) { return extent(b, 2); }
 static double cx(const Balloon* b) { return center(&b->body)[0]; }
 static double cy(const Balloon* b) { return center(&b->body)[1]; }
 static double cz(const Balloon* b) { return center(&b->body)[2]; }
@@ -150,6 +164,7 @@ static const struct Column {
     {"px", always, px}, {"py", always, py}, {"pz", always, pz},
     {"lx", always, lx}, {"ly", always, ly}, {"lz", always, lz},
     {"cx", always, cx}, {"cy", always, cy}, {"cz", always, cz},
+    {"width", always, width}, {"height", always, height}, {"depth", always, depth},
     {"stretch_max", elastic_skin, stretch_max},
     {"thickness_min", thick, thickness_min},
     {"rubber_volume", thick, rubber_volume},
