@@ -16,6 +16,7 @@ typedef struct BenchCase {
 extern const BenchCase bench_contacts;
 extern const BenchCase bench_contact_cost;
 extern const BenchCase bench_contact_hour;
+extern const BenchCase bench_table1;
 
 extern const BenchCase* const bench_table[];
 extern const int bench_count;

@@ -114,7 +114,7 @@ static const ChartResolution sewn_springs[] = {
 
 const ChartCase chart_discs = {
     .letter = "E",
-    .scene = "discs",
+    .scene = "sewn-discs",
     .about = "two discs sewn together: a mesh that cannot wrinkle holds less",
     .seconds = 0.4,
     .rows = 2.5,
