@@ -6,8 +6,9 @@ one=$1 other=$2
 bad=0 count=0
 for scene in assets/scenes/*.yaml assets/scenes/fails/*.yaml; do
     for program in balloon balloon-double; do
-        a=$("$one/$program" run "$scene" --seconds 1 --hash --quiet | tail -1)
-        b=$("$other/$program" run "$scene" --seconds 1 --hash --quiet | tail -1)
+        # the hash, or of a state that went bad the sentence: its step, particle and bound
+        a=$("$one/$program" run "$scene" --seconds 1 --hash --quiet 2>&1 | tail -1)
+        b=$("$other/$program" run "$scene" --seconds 1 --hash --quiet 2>&1 | tail -1)
         count=$((count + 1))
         if [ -z "$a" ] || [ "$a" != "$b" ]; then
             echo "bits: $program on $scene: $one says $a, $other says $b"

@@ -80,7 +80,7 @@ const ChartCase chart_sphere_curve = {
     .seconds = 0.4,
     .rows = 2.5,
     .skin =
-        {{.resolution = rubber_curve},
+        {{.set = {"guard=off"}, .resolution = rubber_curve},
          {.set = {MEMBRANE("mooney-rivlin, mooney: 0.1")}, .resolution = other_curve},
          {.set = {MEMBRANE("stvk, poisson: 0.45")}, .resolution = other_curve},
          {.set = {MEMBRANE("stvk-3d, poisson: 0.45")}, .resolution = other_curve},

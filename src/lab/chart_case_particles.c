@@ -118,7 +118,7 @@ const ChartCase chart_discs = {
     .about = "two discs sewn together: a mesh that cannot wrinkle holds less",
     .seconds = 0.4,
     .rows = 2.5,
-    .skin = {{.resolution = sewn},
+    .skin = {{.set = {"guard=off"}, .resolution = sewn},
              {.set = {"balloons.0.skin={springs: {structural: 1000, shear: 330}}"},
               .mass = 0.025132741228718346, // both sides, 2 pi a^2 h rho
               .resolution = sewn_springs}},
@@ -153,7 +153,7 @@ const ChartCase chart_ball_rests = {
     .about = "a ball comes to rest in a sheet",
     .seconds = 4,
     .rows = 0.25,
-    .skin = {{.mass = 1.681, .resolution = under_ball}},
+    .skin = {{.set = {"guard=off"}, .mass = 1.681, .resolution = under_ball}},
     .measure = {{.about = "height of the ball", .measured = ball_height}},
     .reference = {"grid:40x40", {"euler", "newton"}, {1e-3, 2e-3}},
 };

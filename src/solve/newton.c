@@ -23,7 +23,11 @@
 
 static const Solver usual = {.iterations = 50, .tolerance = 1e-6, .linear_tolerance = 1e-2};
 
-enum { PRODUCTS_MOST = 2000, HALVINGS_MOST = 40 };
+enum {
+    PRODUCTS_MOST = 2000,
+    PRODUCTS_USUAL = 40, ///< more than these, and the coarser skins follow the next tangent too
+    HALVINGS_MOST = 40
+};
 
 /// No particle goes farther in one iteration, for the tangent knows nothing of what is there. [of
 /// the body's size]
@@ -257,14 +261,12 @@ static void put_back(Body* body, const Room* room) {
 }
 
 /// dv by the full tangent, or where that is not positive by the part of it that is, which also
-/// leads downhill. A cycle through coarser skins follows the first tangent of a step.
-static void find_change(Body* body, Room* room, double h, bool* convex, Effort* effort) {
-    if (!*convex && solve_linear(body, room, h, effort))
+/// leads downhill. The coarser skins follow the first tangent of a step, and a
+/// later one where they have become too far off.
+static void find_change(Body* body, Room* room, double h, Effort* effort) {
+    if (solve_linear(body, room, h, effort))
         return;
-    if (!*convex) {
-        *convex = true;
-        ready(body, room, h, true, true);
-    }
+    ready(body, room, h, true, true);
     solve_linear(body, room, h, effort);
 }
 
@@ -273,14 +275,16 @@ static bool solve(Body* body, Room* room, double size, double h, Effort* effort)
     const bool counted = solver->tolerance < 0;
     const double scale = fmax(size, measure_of(body, h));
     double enough = counted ? -1 : solver->tolerance * scale;
-    bool convex = false;
+    bool stale = true;
     while (effort->iterations < solver->iterations && size > enough) {
-        const double rounding = ready(body, room, h, convex, effort->iterations == 0);
+        const int before = effort->products;
+        const double rounding = ready(body, room, h, false, stale);
         if (!counted)
             enough = fmax(enough, rounding);
         if (size <= enough)
             break;
-        find_change(body, room, h, &convex, effort);
+        find_change(body, room, h, effort);
+        stale = effort->products - before > PRODUCTS_USUAL;
         size = take(body, room, size, rounding, h);
         effort->iterations++;
         if (!(size >= 0))
