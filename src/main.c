@@ -71,7 +71,7 @@ static const Option option_table[] = {
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
     {"--quick",     NULL,       "bench, chart, stability: a thinned measurement",  FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is",                     FLAG(all)},
-    {"--fit",       "P,V[,S]",  "peer: links that rest at V first volumes under P [Pa], at step S", TEXT(fit)},
+    {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", TEXT(fit)},
     {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
     {"--step",      "S",        "length of a step [s]",                            .key = "step"},
     {"--guard",     "split|stop|off", "what to do with a step that is too long",   .key = "guard"},
@@ -196,11 +196,15 @@ static bool verb_run(const Options* options, Fault* fault) {
 
 static bool read_fit(const char* text, PeerFit* fit, Fault* fault) {
     char rest;
+    if (text && sscanf(text, "%lf%c", &fit->spring, &rest) == 1 && fit->spring > 0)
+        return true;
+    fit->spring = 0;
     const int count =
         text ? sscanf(text, "%lf,%lf,%lf%c", &fit->pressure, &fit->ratio, &fit->step, &rest) : 2;
     return ((count == 2 || count == 3) && fit->pressure >= 0 && fit->ratio >= 0 &&
             fit->step >= 0) ||
-           fault_set(fault, "--fit", "'%s' is not a pressure and a volume such as 800,1.33", text);
+           fault_set(fault, "--fit",
+                     "'%s' is not a pressure and a volume such as 800,1.33, nor a stiffness", text);
 }
 
 static bool verb_peer(const Options* options, Fault* fault) {

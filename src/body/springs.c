@@ -6,7 +6,7 @@
 #include "base/memory.h"
 
 const char* const spring_kind_name[SPRING_KINDS] = {"structural", "shear", "flexion"};
-const char* const spring_law_name[SPRING_LAWS] = {"hooke", "rubber"};
+const char* const spring_law_name[SPRING_LAWS] = {"hooke", "rubber", "tension"};
 
 /// Pairs as they are found. The list grows by doubling: how many there are follows from valences
 /// and coincidences, and finding out costs as much as finding them.

@@ -3,10 +3,12 @@
 ///
 ///     hooke    k (1 - r)              E = k (|d| - rest)^2 / 2
 ///     rubber   k (1 - r^6) / 6        E = k/6 (|d|^2 / 2 + rest^2 r^4 / 4 - 3 rest^2 / 4)
+///     tension  hooke, 0 for r > 1     E of hooke, 0 for r > 1
 ///
 /// rubber is the equibiaxial neo-Hookean law of a membrane, slope k at rest; in compression, where
-/// its tangent would grow without bound, it is Hooke's, so that the stability bound holds.
-/// Equal and opposite on the two ends: momentum is kept to the last bit but for rounding of sums.
+/// its tangent would grow without bound, it is Hooke's, so that the stability bound holds. tension
+/// is a foil's: pressed it gives way, as if it wrinkled finer than the mesh. Equal and opposite on
+/// the two ends: momentum is kept to the last bit but for rounding of sums.
 #include "force/force.h"
 
 static bool present(const Body* body) {
@@ -46,11 +48,24 @@ static void add_rubber(const int (*restrict end)[2], const real* restrict stiffn
     }
 }
 
+static void add_tension(const int (*restrict end)[2], const real* restrict stiffness,
+                        const real* restrict rest, int count, const real4* restrict x,
+                        real4* restrict f) {
+    for (int s = 0; s < count; s++) {
+        const int i = end[s][0], j = end[s][1];
+        const real4 d = x[j] - x[i];
+        const real4 pull = (stiffness[s] * real_max(1 - ratio(rest[s], length(d)), 0)) * d;
+        f[i] += pull;
+        f[j] -= pull;
+    }
+}
+
 static void add(Body* body) {
+    static void (*const add_law[SPRING_LAWS])(const int(*)[2], const real*, const real*, int,
+                                              const real4*,
+                                              real4*) = {add_hooke, add_rubber, add_tension};
     const Springs* s = &body->springs;
-    const int(*end)[2] = (const int(*)[2])s->end;
-    (s->law == LAW_HOOKE ? add_hooke : add_rubber)(end, s->active, s->rest, s->count, body->x,
-                                                   body->f);
+    add_law[s->law]((const int(*)[2])s->end, s->active, s->rest, s->count, body->x, body->f);
 }
 
 static double energy(const Body* body) {
@@ -60,7 +75,9 @@ static double energy(const Body* body) {
         const int* end = springs->end[s];
         const double k = (double)springs->active[s], rest = (double)springs->rest[s];
         const double now = dlength(to_double4(body->x[end[1]]) - to_double4(body->x[end[0]]));
-        if (springs->law == LAW_HOOKE || now <= rest) {
+        if (springs->law == LAW_TENSION && now <= rest)
+            continue;
+        if (springs->law != LAW_RUBBER || now <= rest) {
             sum += 0.5 * k * (now - rest) * (now - rest);
         } else {
             const double r2 = rest * rest / (now * now);
@@ -81,7 +98,9 @@ typedef struct Resistance {
 } Resistance;
 
 static Resistance resistance_of(SpringLaw law, real stiffness, real r) {
-    if (law == LAW_HOOKE || r >= 1)
+    if (law == LAW_TENSION && r >= 1)
+        return (Resistance){0};
+    if (law != LAW_RUBBER || r >= 1)
         return (Resistance){stiffness, stiffness * (1 - r)};
     const real r3 = r * r * r, r6 = r3 * r3;
     return (Resistance){stiffness * (1 + 5 * r6) / 6, stiffness * (1 - r6) / 6};

@@ -33,6 +33,7 @@ typedef struct ChartSkin {
     const char* law;             ///< a skin of springs with this law; NULL: the scene's own skin
     double (*sheet)(void);       ///< and of this E h: kd = E h/2, ks + 4 kf = E h [N/m]
     double mass;                 ///< of all particles together [kg]; 0: the scene's
+    const char* only;            ///< this method alone; NULL: all
     const ChartResolution* resolution;
 } ChartSkin;
 
@@ -57,8 +58,9 @@ typedef struct ChartReference {
 } ChartReference;
 
 /// Bullet's own soft body on the case (lab/peer_run.h). Its links are fitted to rest at `stretch`
-/// under `pressure`; `set` are keys of the scene for it alone.
+/// under `pressure`, or to be as springs are; `set` are keys of the scene for it alone.
 typedef struct ChartPeer {
+    double spring;            ///< [N/m]; 0: not
     double (*pressure)(void); ///< [Pa]; NULL: links stay Bullet's own, the stiffest
     double (*stretch)(void);  ///< [1]
     double step;              ///< at this step for all resolutions [s]; 0: at each one's own
@@ -66,6 +68,7 @@ typedef struct ChartPeer {
     const char* key; ///< one more, set to `value`; or NULL
     double (*value)(void);
     const ChartResolution* resolution; ///< NULL: Bullet cannot play this scene
+    const char* none;                  ///< why not
 } ChartPeer;
 
 typedef struct ChartCase {

@@ -69,6 +69,9 @@ const ChartCase chart_exact_cube = {
 
 static const double disc = 0.2; ///< [m]
 
+#define FOIL_MASS 0.025132741228718346 ///< both sides, 2 pi a^2 h rho [kg]
+#define FOIL "balloons.0.skin={springs: {structural: 30000, shear: 10000, law: tension}}"
+
 static double last_volume(const Report* report, double at) {
     (void)at;
     return report_at(report, "balloon0.volume", -1);
@@ -110,18 +113,32 @@ static const ChartResolution sewn_springs[] = {
     {"discs:12x36", 1e-2, IMPLICIT, DOUBLE, CHART_FULL},
     {0},
 };
+
+static const ChartResolution sewn_foil[] = {
+    {"discs:6x18",  1e-2, IMPLICIT, DOUBLE, CHART_QUICK},
+    {"discs:12x36", 1e-2, IMPLICIT, DOUBLE, CHART_FULL},
+    {0},
+};
+
+static const ChartResolution foil_in_small_steps[] = {
+    {"discs:6x18",  1e-4, ANY, DOUBLE, CHART_FULL},
+    {"discs:12x36", 1e-4, ANY, DOUBLE, CHART_QUICK},
+    {0},
+};
 // clang-format on
 
 const ChartCase chart_discs = {
     .letter = "E",
     .scene = "sewn-discs",
-    .about = "two discs sewn together: a mesh that cannot wrinkle holds less",
+    .about = "two discs sewn together: what cannot wrinkle holds less",
     .seconds = 0.4,
     .rows = 2.5,
     .skin = {{.set = {"guard=off"}, .resolution = sewn},
              {.set = {"balloons.0.skin={springs: {structural: 1000, shear: 330}}"},
-              .mass = 0.025132741228718346, // both sides, 2 pi a^2 h rho
-              .resolution = sewn_springs}},
+              .mass = FOIL_MASS,
+              .resolution = sewn_springs},
+             {.set = {FOIL}, .mass = FOIL_MASS, .resolution = sewn_foil},
+             {.set = {FOIL}, .mass = FOIL_MASS, .only = "xpbd", .resolution = foil_in_small_steps}},
     .measure =
         {{.name = "volume", .about = "volume", .measured = last_volume, .truth = mylar_volume},
          {.name = "thickness",
@@ -155,6 +172,7 @@ const ChartCase chart_ball_rests = {
     .rows = 0.25,
     .skin = {{.set = {"guard=off"}, .mass = 1.681, .resolution = under_ball}},
     .measure = {{.about = "height of the ball", .measured = ball_height}},
+    .peer = {.spring = 50, .resolution = under_ball},
     .reference = {"grid:40x40", {"euler", "newton"}, {1e-3, 2e-3}},
 };
 
@@ -192,6 +210,7 @@ const ChartCase chart_tether = {
     .rows = 1 / 3.0,
     .skin = {{.set = {"guard=off"}, .resolution = tied}},
     .measure = {{.about = "tension of the string", .measured = tension, .truth = tether_truth}},
+    .peer = {.none = "none: a link has no force to read"},
 };
 
 // --- the squirrel ------------------------------------------------------------------------------
@@ -215,6 +234,13 @@ static const ChartResolution turns[] = {
 };
 // clang-format on
 
+static const ChartResolution turned_links[] = {
+    {"squirrel.obj", 8e-3, ANY, DOUBLE, CHART_FULL},
+    {"squirrel.obj", 2e-3, ANY, DOUBLE, CHART_FULL},
+    {"squirrel.obj", 5e-4, ANY, DOUBLE, CHART_FULL},
+    {0},
+};
+
 const ChartCase chart_squirrel_turns = {
     .letter = "H",
     .scene = "squirrel-turns",
@@ -223,5 +249,6 @@ const ChartCase chart_squirrel_turns = {
     .rows = 0.25,
     .skin = {{.set = {"guard=off"}, .resolution = turns}},
     .measure = {{.about = "height above the knot after 4 s", .measured = squirrel_height}},
+    .peer = {.spring = 50, .resolution = turned_links},
     .reference = {"squirrel.obj", {"euler", "newton"}, {5e-4, 8e-3}},
 };

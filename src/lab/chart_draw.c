@@ -79,8 +79,11 @@ static void plot_line(const ChartPlan* plan, int from, int p, double top, FILE* 
     const char* color = color_of(point->method);
     snprintf(key, sizeof key, "'%s','%s','%s','%s'", point->name, point->method, point->skin,
              point->law);
-    snprintf(title, sizeof title, "%s, %s", point->method,
-             strcmp(point->skin, "springs") == 0 ? "springs" : point->law);
+    if (chart_is_peer(point))
+        snprintf(title, sizeof title, "Bullet soft body");
+    else
+        snprintf(title, sizeof title, "%s, %s%s", point->method, point->law,
+                 strcmp(point->skin, "springs") == 0 ? " springs" : "");
     const bool in_double = has_points(plan, from, p, "double", top);
     const bool in_float = has_points(plan, from, p, "float", top);
     if (in_double || in_float)
@@ -123,6 +126,12 @@ static bool draw_one(const ChartPlan* plan, int from, int to, const char* folder
             "set label 'real time' at %g, graph 0.02 rotate left offset -0.7,0 tc '#888888'\n",
             first->chart->about, chart_machine(), first->truth == 0 ? "" : "error of the ",
             first->measure->about, low, high, real_time, real_time, real_time);
+    if (first->floor > 0)
+        fprintf(plot.script,
+                "set arrow from graph 0, first %g to graph 1, first %g nohead dt 3 lc '#888888'\n"
+                "set label \"the reference's own error\" at graph 0.02, first %g offset 0,0.5 tc "
+                "'#888888'\n",
+                first->floor, first->floor, first->floor);
     fprintf(plot.script,
             "plot \\\n"
             "    'front.csv' using (is('%s','-','-','-') ? $5 : NaN):6 with lines lw 9 "

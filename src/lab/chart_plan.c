@@ -97,6 +97,8 @@ static bool command(const Dress* dress, const char* method, double step, const c
     launch_add(launch, "%s.yaml", dress->chart->scene);
     if (method)
         launch_add(launch, "--method=%s", method);
+    else if (peer->spring > 0)
+        launch_add(launch, "--fit=%.17g", peer->spring);
     else if (peer->pressure)
         launch_add(launch, "--fit=%.17g,%.17g,%.17g", peer->pressure(), pow(peer->stretch(), 3),
                    peer->step);
@@ -169,6 +171,7 @@ static bool takes_part(const Method* method, ChartWho who) {
 static bool add_points(ChartPlan* plan, Dress* dress, bool peer, const ChartOptions* options,
                        Fault* fault) {
     const ChartResolution* at = dress->resolution;
+    const char* only = dress->skin->only;
     char scene[80];
     snprintf(scene, sizeof scene, "%s.yaml", dress->chart->scene);
     WorldDef def;
@@ -180,7 +183,7 @@ static bool add_points(ChartPlan* plan, Dress* dress, bool peer, const ChartOpti
     bool good = true;
     for (int k = 0; good && k < (peer ? 1 : method_count); k++) {
         const Method* method = peer ? NULL : method_table[k];
-        if (method && !takes_part(method, at->who))
+        if (method && (!takes_part(method, at->who) || (only && strcmp(method->name, only) != 0)))
             continue;
         good = add_point(plan, dress, &world, method, "double", fault) &&
                (!both || add_point(plan, dress, &world, method, "float", fault));

@@ -131,7 +131,10 @@ static void write_table(const ChartPlan* plan, FILE* out) {
         if (peer)
             fprintf(out, " %.2g %% | %.3g |\n", 100 * peer->error, peer->ms);
         else
-            fprintf(out, " - | - |\n");
+            fprintf(out, " %s | - |\n",
+                    first->chart->peer.none         ? first->chart->peer.none
+                    : first->chart->peer.resolution ? "fell"
+                                                    : "-");
     }
 }
 

@@ -72,6 +72,14 @@ std::set<std::pair<int, int>> edges_of(const PeerDef& def) {
     return edge;
 }
 
+void append_rod(btSoftBody* skin, const PeerRod& rod) {
+    skin->appendNode(bullet_vector(rod.to), 0);
+    skin->appendLink(rod.point, skin->m_nodes.size() - 1);
+    btSoftBody::Link& link = skin->m_links[skin->m_links.size() - 1];
+    link.m_rl = (btScalar)rod.length;
+    link.m_c1 = link.m_rl * link.m_rl;
+}
+
 } // namespace
 
 struct Peer {
@@ -81,6 +89,7 @@ struct Peer {
     btSequentialImpulseConstraintSolver solver;
     btSoftRigidDynamicsWorld world;
     btSoftBody skin;
+    int point_count; ///< of the skin's nodes; rods' ends come after them
     std::vector<std::unique_ptr<Ball>> ball;
     double smallest = 0; ///< radius of the smallest ball [m]
 
@@ -90,10 +99,10 @@ struct Peer {
 
 Peer::Peer(const PeerDef& def)
     : dispatcher(&configuration), world(&dispatcher, &broadphase, &solver, &configuration),
-      skin(&world.getWorldInfo(), def.point_count, points_of(def).data(), nullptr) {
-    const btVector3 down(0, (btScalar)-def.gravity, 0);
-    world.setGravity(down);
-    world.getWorldInfo().m_gravity = down; // the soft body's own
+      skin(&world.getWorldInfo(), def.point_count, points_of(def).data(), nullptr),
+      point_count(def.point_count) {
+    world.setGravity(btVector3(0, (btScalar)-def.gravity, 0));
+    world.getWorldInfo().m_gravity = btVector3(0, (btScalar)(def.lift - def.gravity), 0); // its own
 
     for (const auto& [a, b] : edges_of(def))
         skin.appendLink(a, b);
@@ -101,6 +110,11 @@ Peer::Peer(const PeerDef& def)
         skin.appendFace(def.triangle[t][0], def.triangle[t][1], def.triangle[t][2]);
     skin.randomizeConstraints(); // as Bullet's own set-up does: rounds converge faster so
     skin.setTotalMass((btScalar)def.mass);
+    for (int i = 0; def.held && i < def.point_count; i++)
+        if (def.held[i])
+            skin.setMass(i, 0);
+    for (int k = 0; k < def.rod_count; k++)
+        append_rod(&skin, def.rod[k]);
 
     skin.m_materials[0]->m_kLST = (btScalar)def.stiffness;
     skin.m_cfg.kPR = (btScalar)def.pressure;
@@ -153,7 +167,7 @@ void peer_step(Peer* peer, double h) {
 }
 
 void peer_read(const Peer* peer, double4* x, double4* v) {
-    for (int i = 0; i < peer->skin.m_nodes.size(); i++) {
+    for (int i = 0; i < peer->point_count; i++) {
         if (x)
             x[i] = our_vector(peer->skin.m_nodes[i].m_x);
         if (v)

@@ -17,6 +17,8 @@
 #ifndef BALLOON_LAB_PEER_H
 #define BALLOON_LAB_PEER_H
 
+#include <stdbool.h>
+
 #include "collide/sphere.h"
 
 #ifdef __cplusplus
@@ -25,20 +27,31 @@ extern "C" {
 
 typedef struct Peer Peer;
 
+/// A link from a point to a fixed place. Bullet's links also push: it is a rod, no string.
+typedef struct PeerRod {
+    int point;
+    double4 to;    ///< [m]
+    double length; ///< at rest [m]
+} PeerRod;
+
 typedef struct PeerDef {
     int point_count;
     const double4* point; ///< [point_count] where the points are at rest [m]; copied
     int triangle_count;
     const int (*triangle)[3]; ///< [triangle_count] counter-clockwise seen from outside; copied
     double mass;              ///< of all points together, shared equally [kg]
-    double stiffness;         ///< kLST, 0 … 1 [1]
-    double pressure;          ///< kPR, pressure times volume [J]
-    double damping;           ///< kDP, 0 … 1 [1]
-    double friction;          ///< kDF, times the ball's own [1]
-    int position_rounds;      ///< piterations
-    int velocity_rounds;      ///< viterations: links also change velocities, before the positions
-    double margin;            ///< of points against balls [m]
-    double gravity;           ///< [m/s^2] downward
+    const bool* held;         ///< [point_count] points that stay where they are; NULL: none
+    int rod_count;
+    const PeerRod* rod;  ///< [rod_count] copied
+    double stiffness;    ///< kLST, 0 … 1 [1]
+    double pressure;     ///< kPR, pressure times volume [J]
+    double damping;      ///< kDP, 0 … 1 [1]
+    double friction;     ///< kDF, times the ball's own [1]
+    int position_rounds; ///< piterations
+    int velocity_rounds; ///< viterations: links also change velocities, before the positions
+    double margin;       ///< of points against balls [m]
+    double gravity;      ///< [m/s^2] downward
+    double lift;         ///< of the skin alone [m/s^2] upward
 } PeerDef;
 
 /// Bullet's own values, but for the margin, which there is 0.25 m whatever the size.

@@ -17,7 +17,7 @@ enum {
 
 static const double fit_seconds = 0.3; ///< and so long at least [s]
 
-/// A state is bad where it is not finite or this much larger than at first. [1]
+/// A state is bad where it is not finite or its volume this many times its first box. [1]
 static const double too_large = 1e6;
 
 /// Balloon and peer in step: the world's first balloon shows where the peer is.
@@ -70,9 +70,10 @@ static Pair pair_open(World* world, const PeerLinks* links) {
                   .first_area = measure_area(&world->balloon[0].mesh, world->balloon[0].body.x)};
 }
 
-static bool is_bad(const Pair* pair, double first) {
-    const double volume = peer_volume(pair->peer);
-    return !(fabs(volume) < too_large * first);
+/// Of an open sheet no volume tells; its box does.
+static bool is_bad(const Pair* pair) {
+    const double volume = peer_volume(pair->peer), size = pair->world->balloon[0].body.size;
+    return !(fabs(volume) < too_large * size * size * size);
 }
 
 /// First volumes at rest under the fit's pressure, brought on within a quarter of the time.
@@ -81,16 +82,29 @@ static double volume_at_rest(World* world, const PeerFit* fit, const PeerLinks* 
     Pair pair = pair_open(world, links);
     const double first = peer_volume(pair.peer), h = fit->step > 0 ? fit->step : world->step;
     const double steps = fmax(FIT_STEPS, fit_seconds / h);
-    for (int n = 1; n <= steps && !is_bad(&pair, first); n++)
+    for (int n = 1; n <= steps && !is_bad(&pair); n++)
         step(&pair, fit->pressure * fmin(1, 4 * n / steps), h);
-    const double ratio = is_bad(&pair, first) ? INFINITY : peer_volume(pair.peer) / first;
+    const double ratio = is_bad(&pair) ? INFINITY : peer_volume(pair.peer) / first;
     peer_close(pair.peer);
     world_reset(world);
     return ratio;
 }
 
+/// In as many rounds as it takes.
+static PeerLinks links_like(const World* world, double spring) {
+    const Body* body = &world->balloon[0].body;
+    double most = 0;
+    for (int i = 0; i < body->count; i++)
+        most = fmax(most, (double)body->inverse_mass[i]);
+    const double moved = spring * world->step * world->step * 2 * most;
+    const int rounds = (int)fmin(ROUNDS_MOST, ceil(moved));
+    return (PeerLinks){fmin(1, moved / rounds), rounds};
+}
+
 PeerLinks peer_fit(World* world, const PeerFit* fit) {
     PeerLinks links = {.stiffness = 1, .rounds = 1};
+    if (fit->spring > 0)
+        return links_like(world, fit->spring);
     if (!(fit->ratio > 0))
         return links;
     while (volume_at_rest(world, fit, &links) > fit->ratio && links.rounds < ROUNDS_MOST)
@@ -112,9 +126,9 @@ static long steps_to(double time, double h) {
 }
 
 /// The world's clock goes on with the peer until so many steps are done or its state is bad.
-static void advance(Pair* pair, long until, double first) {
+static void advance(Pair* pair, long until) {
     World* world = pair->world;
-    while (world->step_count < until && !is_bad(pair, first)) {
+    while (world->step_count < until && !is_bad(pair)) {
         balloon_fill(&world->balloon[0], (double)(world->step_count + 1) * world->step);
         step(pair, inflation_pressure(&world->balloon[0].body), world->step);
         world->step_count++;
@@ -127,19 +141,18 @@ bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
         fprintf(stderr, "balloon: Bullet's links have stiffness %g in %d rounds\n", links.stiffness,
                 links.rounds);
     Pair pair = pair_open(world, &links);
-    const double first = peer_volume(pair.peer);
     const long rows = steps_to(options->seconds, 1 / options->fps);
     const long steps = steps_to(options->seconds, world->step);
     if (csv) {
         probe_csv_header(world, csv);
         probe_csv_row(world, csv);
     }
-    for (long k = 1; k <= rows + 1 && !is_bad(&pair, first); k++) {
-        advance(&pair, k <= rows ? steps_to((double)k / options->fps, world->step) : steps, first);
-        if (csv && k <= rows && !is_bad(&pair, first))
+    for (long k = 1; k <= rows + 1 && !is_bad(&pair); k++) {
+        advance(&pair, k <= rows ? steps_to((double)k / options->fps, world->step) : steps);
+        if (csv && k <= rows && !is_bad(&pair))
             probe_csv_row(world, csv);
     }
-    const bool bad = is_bad(&pair, first);
+    const bool bad = is_bad(&pair);
     if (options->time)
         printf("stepping %.6f s of CPU time for %g s: %.6f ms per simulated second\n", pair.spent,
                world_time(world), 1e3 * pair.spent / world_time(world));

@@ -3,15 +3,20 @@
 ///
 /// Bullet has no law of stiffness: a link is as stiff as step, mass and rounds make it. So its
 /// links are fitted, as who uses it must: the fewest rounds, doubled from 1, and then the softest
-/// links with which the skin rests at a given volume under a given pressure. Its pressure is set
-/// before each step, in its favour, to what the scene's law says of the present volume and area. It
-/// knows no strings and no lift; only balls that the scene has from the start.
+/// links with which the skin rests at a given volume under a given pressure; or, where there is no
+/// such rest, links that move their ends in a step as a spring of k would,
+///
+///     rounds * stiffness = k h^2 (1/m + 1/m)
+///
+/// Its pressure is set before each step, in its favour, to what the scene's law says of the present
+/// volume and area. Its strings are rods; it has only balls that are there from the start.
 #ifndef BALLOON_LAB_PEER_RUN_H
 #define BALLOON_LAB_PEER_RUN_H
 
 #include "lab/peer_world.h"
 
 typedef struct PeerFit {
+    double spring;   ///< k of a spring to be like [N/m]; 0: what follows
     double pressure; ///< gauge [Pa]
     double ratio;    ///< volume at rest under it, in first volumes [1]; 0: links stay Bullet's own
     double step;     ///< at this step; 0: at the run's own [s]

@@ -38,12 +38,21 @@ Peer* peer_of_world(const World* world, int position_rounds) {
 Peer* peer_with_links(const World* world, const PeerLinks* links) {
     const Body* body = &world->balloon[0].body;
     double4* point = new_array(double4, body->count);
+    bool* held = new_array(bool, body->count);
+    PeerRod* rod = new_array(PeerRod, body->string_count);
     PeerDef def = peer_def_default();
     def.mass = 0;
     for (int i = 0; i < body->count; i++) {
         point[i] = to_double4(body->x[i]);
+        held[i] = body->inverse_mass[i] == 0;
         def.mass += (double)body->mass[i];
     }
+    for (int k = 0; k < body->string_count; k++)
+        rod[k] = (PeerRod){body->string[k].particle, to_double4(body->string[k].anchor),
+                           (double)body->string[k].free_length};
+    def.held = held;
+    def.rod_count = body->string_count;
+    def.rod = rod;
     def.point_count = body->count;
     def.point = point;
     def.triangle_count = body->mesh->triangle_count;
@@ -54,9 +63,12 @@ Peer* peer_with_links(const World* world, const PeerLinks* links) {
     def.position_rounds = links->rounds;
     def.margin = widest_gap(body);
     def.gravity = world->collide.gravity;
+    def.lift = body_helium(body);
     Peer* peer = peer_open(&def);
     for (int s = 0; s < world->collide.sphere_count; s++)
         peer_add_sphere(peer, &world->collide.sphere[s]);
     free(point);
+    free(held);
+    free(rod);
     return peer;
 }

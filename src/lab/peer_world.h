@@ -5,9 +5,10 @@
 #include "lab/peer.h"
 #include "world/world.h"
 
-/// The same triangles, mass, gravity, drag and pressure force as in the world's present state.
-/// What the two do not share is taken in the peer's favour: links as stiff as Bullet has them, and
-/// a margin that leaves no gap between the points of a triangle for a ball to slip through.
+/// The same triangles, mass, held points, gravity, helium's lift, drag, strings as rods and
+/// pressure force as in the world's present state. What the two do not share is taken in the peer's
+/// favour: links as stiff as Bullet has them, and a margin that leaves no gap between the points of
+/// a triangle for a ball to slip through.
 Peer* peer_of_world(const World* world, int position_rounds);
 
 /// The same with links that are softer than that.

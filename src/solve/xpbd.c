@@ -18,6 +18,7 @@
 ///
 ///                C = d - rest                                               hooke, and l < 1
 ///                C = rest (1 - l^-2) sqrt((2 l^2 + 1) / 12)                 rubber
+///                C = 0                                                      tension, l < 1
 ///                C' = l (1 + l^-2 + l^-4) / (6 sqrt((2 l^2 + 1) / 12))      C C' k is its pull
 ///                dP = -(P.n + h^2 k C C') n / (1 + h^2 k C'^2 W)
 ///                     - (P - P.n n) / (1 + h^2 (k C C' / d) W)
@@ -68,10 +69,12 @@ typedef struct Stretched {
     real now;         ///< length [m]
 } Stretched;
 
-static inline Stretched stretched(real4 d, real rest, bool rubber) {
+static inline Stretched stretched(real4 d, real rest, SpringLaw law) {
     const real now = length(d), over = now - rest;
     Stretched s = {.n = d / now, .pull = over, .slope = 1, .now = now};
-    if (rubber && over > 0) {
+    if (law == LAW_TENSION && over < 0) {
+        s.pull = s.slope = 0;
+    } else if (law == LAW_RUBBER && over > 0) {
         const real l = now / rest, r2 = 1 / (l * l), root = (2 * l * l + 1) / 12;
         const real c1 = l * (1 + r2 + r2 * r2) / 6; // C' root^(1/2)
         s.pull = rest * (1 - r2) * c1;
@@ -92,13 +95,13 @@ static inline real4 change(const Stretched* s, real stiff, real weight, real4 gi
 static void relax_springs(const Springs* springs, const real4* restrict x,
                           const real* restrict weight, real h2, real4* restrict u,
                           real4* restrict impulse) {
-    const bool rubber = springs->law == LAW_RUBBER;
+    const SpringLaw law = springs->law;
     for (int s = 0; s < springs->count; s++) {
         const int i = springs->end[s][0], j = springs->end[s][1];
         const real4 d = (x[j] - x[i]) + (u[j] - u[i]);
         if (!(dot(d, d) > 0)) // it pulls nowhere
             continue;
-        const Stretched now = stretched(d, springs->rest[s], rubber);
+        const Stretched now = stretched(d, springs->rest[s], law);
         const real4 by = change(&now, h2 * springs->active[s], weight[i] + weight[j], impulse[s]);
         impulse[s] += by;
         u[i] -= weight[i] * by;

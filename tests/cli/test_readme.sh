@@ -19,6 +19,8 @@ done
 for folder in src/*/; do
     ok "the README names $folder" grep -q "^| $(basename "$folder") |" README.md
 done
-ok "the picture is there" test -s "$(sed -nE 's/^!\[.*\]\((.*)\)$/\1/p' README.md)"
+for picture in $(sed -nE 's/^!\[.*\]\((.*)\)$/\1/p' README.md); do
+    ok "the picture $picture is there" test -s "$picture"
+done
 
 finish

@@ -3,6 +3,19 @@
 
 #include "force/force.h"
 
+/// Where the rubber's volume is kept, its sum is: the other sums round to 1e-16 and 1e-7 of it.
+static void check_rubber(const World* world, const char* path) {
+    for (int b = 0; b < world->balloon_count; b++) {
+        char output[64];
+        double ratio;
+        snprintf(output, sizeof output, "balloon%d.rubber_volume", b);
+        if (!probe_value(world, output, &ratio))
+            continue;
+        if (!(fabs(ratio - 1) < TOLERANCE(1e-6, 1e-9)))
+            fail_msg("%s: %s is 1 %+g", path, output, ratio - 1);
+    }
+}
+
 /// Those of the museum of failures are test_fails.c's.
 static void every_scene_runs_and_stays_finite(void** state) {
     (void)state;
@@ -16,6 +29,8 @@ static void every_scene_runs_and_stays_finite(void** state) {
         run_for(&world, world.method == &method_newton ? 1 : 5);
         if (!is_finite(&world) || (world.blowup.halted && !world.def.fails))
             fail_msg("%s: %s", path[k], world.blowup.text);
+        if (!world.def.fails)
+            check_rubber(&world, path[k]);
         world_close(&world);
         free(path[k]);
     }
