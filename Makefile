@@ -2,6 +2,7 @@
 # make test     install what is missing, build, run all tests in both precisions
 # make check    format, include layers, headers alone, gcc and clang with warnings as errors,
 #               all tests under the address and undefined-behaviour sanitizers
+# make chart    chart speed against accuracy to out/chart, and the README's table and picture of it
 # make bench    measure and print speed
 # make format   rewrite the sources as clang-format has them
 # make clean    remove what was built
@@ -42,7 +43,7 @@ HEADERS  := $(wildcard src/*/*.h)
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*.c)))
 SCENE   ?=
 
-.PHONY: all run test check bench format clean install programs tests packages-build packages-run \
+.PHONY: all run test check bench chart format clean install programs tests packages-build packages-run \
     packages-test packages-check headers
 .DELETE_ON_ERROR:
 
@@ -77,6 +78,13 @@ check: packages-build packages-run packages-test packages-check
 bench: packages-build
 	@$(MAKE) --no-print-directory -j$(JOBS) programs
 	@tests/bench.sh $(BUILD)
+
+chart: packages-build packages-run
+	@$(MAKE) --no-print-directory -j$(JOBS) programs
+	@mkdir -p out
+	@$(BUILD)/balloon chart --out out/chart
+	@cp out/chart/sphere-gas.png assets/chart.png
+	@sed -i -e '/^<!-- chart:/,/^<!-- end of chart/{//!d}' -e '/^<!-- chart:/r out/chart/chart.md' README.md
 
 format: packages-check
 	clang-format -i $(wildcard src/*.c src/*/*.[ch] src/*/*.[ch]pp tests/unit/*.[ch])

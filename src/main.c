@@ -270,11 +270,16 @@ static bool verb_stability(const Options* options, Fault* fault) {
 }
 
 static bool verb_chart(const Options* options, Fault* fault) {
+    char program[2][512];
+    if (!place_sibling("balloon", program[0], fault) ||
+        !place_sibling("balloon-double", program[1], fault))
+        return false;
     const ChartOptions chart = {.out = options->out ? options->out : "out",
                                 .only = options->target,
                                 .extent = options->all     ? CHART_ALL
                                           : options->quick ? CHART_QUICK
-                                                           : CHART_FULL};
+                                                           : CHART_FULL,
+                                .program = {program[0], program[1]}};
     return chart_run(&chart, fault);
 }
 

@@ -15,9 +15,10 @@
 #include "lab/chart_case.h"
 
 typedef struct ChartOptions {
-    const char* out;    ///< folder for the results
-    const char* only;   ///< name of a scene or letter of a case; NULL: all
-    ChartExtent extent; ///< quick, full or all
+    const char* out;        ///< folder for the results
+    const char* only;       ///< name of a scene or letter of a case; NULL: all
+    ChartExtent extent;     ///< quick, full or all
+    const char* program[2]; ///< to run, of each precision's state: float, double
 } ChartOptions;
 
 /// One point, a row of chart.csv.
@@ -36,6 +37,7 @@ typedef struct ChartPoint {
     double ms; ///< CPU time per simulated second [ms]
     double measured, truth, error;
     double floor; ///< the truth's own error, 0 of closed forms
+    bool apart;   ///< no answer to what the case asks
     bool stable;  ///< it came to its end
     int parts;    ///< in which the guard had a step made
     char hash[24];

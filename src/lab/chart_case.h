@@ -34,18 +34,20 @@ typedef struct ChartSkin {
     double (*sheet)(void);       ///< and of this E h: kd = E h/2, ks + 4 kf = E h [N/m]
     double mass;                 ///< of all particles together [kg]; 0: the scene's
     const char* only;            ///< this method alone; NULL: all
+    bool apart;                  ///< judged by its own law, no answer to what the case asks
     const ChartResolution* resolution;
 } ChartSkin;
 
 typedef struct ChartMeasure {
     const char* name;  ///< NULL where the scene's is enough
     const char* about; ///< "gauge pressure"
+    const char* unit;  ///< of an error that is none of something; NULL: it is relative
     double at;         ///< the time or stretch that this row of several asks for
     const char* key;   ///< of the scene, set to `value` for this measure alone; or NULL
     double (*value)(double at);
     double (*measured)(const Report* report, double at);
 
-    /// NULL: reference runs; where it is 0, what is measured is the error itself.
+    /// NULL: reference runs; where it is 0, what is measured is the error itself, in `unit`.
     double (*truth)(const ChartSkin* skin, double at);
 } ChartMeasure;
 

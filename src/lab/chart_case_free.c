@@ -1,4 +1,5 @@
 /// What must not depend on step and mesh, and what a balloon must not do by itself.
+#include "base/vec.h"
 #include "lab/chart_sphere.h"
 
 // --- step and mesh -----------------------------------------------------------------------------
@@ -61,37 +62,38 @@ const ChartCase chart_independence = {
 
 // --- left alone --------------------------------------------------------------------------------
 
-static double size3(double x, double y, double z) {
-    return sqrt(x * x + y * y + z * z);
+static const char* const place[] = {"balloon0.cx", "balloon0.cy", "balloon0.cz"};
+
+/// Three columns of a row.
+static double4 vector_at(const Report* report, const char* const name[3], int row) {
+    return (double4){report_at(report, name[0], row), report_at(report, name[1], row),
+                     report_at(report, name[2], row), 0};
 }
 
 /// Largest acceleration of the centre of mass between rows, from its places in three. [m/s^2]
 static double self_acceleration(const Report* report, double at) {
     (void)at;
-    static const char* const place[] = {"balloon0.cx", "balloon0.cy", "balloon0.cz"};
     double most = 0;
     for (int k = 1; k + 1 < report->rows; k++) {
         const double dt = report_at(report, "t", k) - report_at(report, "t", k - 1);
-        double a[3];
-        for (int c = 0; c < 3; c++)
-            a[c] = (report_at(report, place[c], k + 1) - 2 * report_at(report, place[c], k) +
-                    report_at(report, place[c], k - 1)) /
-                   (dt * dt);
-        most = fmax(most, size3(a[0], a[1], a[2]));
+        const double4 bend = vector_at(report, place, k + 1) - 2 * vector_at(report, place, k) +
+                             vector_at(report, place, k - 1);
+        most = fmax(most, dlength(bend) / (dt * dt));
     }
     return most;
 }
 
-/// Largest angular momentum over a thin shell's 2/3 m r^2 [rad/s].
+/// Largest angular momentum about its own centre over a thin shell's 2/3 m r^2 [rad/s].
 static double self_spin(const Report* report, double at) {
     (void)at;
+    static const char* const about_origin[] = {"balloon0.lx", "balloon0.ly", "balloon0.lz"};
+    static const char* const momentum[] = {"balloon0.px", "balloon0.py", "balloon0.pz"};
     double most = 0;
     for (int k = 0; k < report->rows; k++) {
         const double radius = 0.1 * stretch_at(report, report_at(report, "t", k));
-        const double l =
-            size3(report_at(report, "balloon0.lx", k), report_at(report, "balloon0.ly", k),
-                  report_at(report, "balloon0.lz", k));
-        most = fmax(most, l / (2.0 / 3 * SPHERE_MASS * radius * radius));
+        const double4 l = vector_at(report, about_origin, k) -
+                          dcross(vector_at(report, place, k), vector_at(report, momentum, k));
+        most = fmax(most, dlength(l) / (2.0 / 3 * SPHERE_MASS * radius * radius));
     }
     return most;
 }
@@ -129,11 +131,13 @@ const ChartCase chart_sphere_free = {
     .rows = 10,
     .skin = {{.resolution = alone}, {RUBBER_SPRINGS, .resolution = alone_springs}},
     .measure = {{.name = "acceleration",
-                 .about = "acceleration that it gives itself [m/s^2]",
+                 .about = "acceleration that it gives itself",
+                 .unit = "m/s^2",
                  .measured = self_acceleration,
                  .truth = nothing},
                 {.name = "spin",
-                 .about = "spin that it gives itself [rad/s]",
+                 .about = "spin that it gives itself",
+                 .unit = "rad/s",
                  .measured = self_spin,
                  .truth = nothing}},
     .peer =

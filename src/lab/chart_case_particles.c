@@ -32,12 +32,9 @@ static double cube_truth(const ChartSkin* skin, double at) {
 
 // clang-format off
 static const ChartResolution cube_resolution[] = {
-    {"cube", 4e-3,    ANY, DOUBLE, CHART_FULL},
     {"cube", 2e-3,    ANY, DOUBLE, CHART_QUICK},
-    {"cube", 1e-3,    ANY, DOUBLE, CHART_FULL},
-    {"cube", 5e-4,    ANY, BOTH,   CHART_QUICK},
-    {"cube", 2.5e-4,  ANY, DOUBLE, CHART_FULL},
-    {"cube", 1.25e-4, ANY, BOTH,   CHART_QUICK},
+    {"cube", 5e-4,    ANY, DOUBLE, CHART_QUICK},
+    {"cube", 1.25e-4, ANY, DOUBLE, CHART_QUICK},
     {"cube", 6.25e-5, ANY, BOTH,   CHART_QUICK},
     {"cube", 1e-5,    ANY, BOTH,   CHART_FULL},
     {"cube", 1e-6,    ANY, BOTH,   CHART_FULL},
@@ -121,7 +118,6 @@ static const ChartResolution sewn_foil[] = {
 };
 
 static const ChartResolution foil_in_small_steps[] = {
-    {"discs:6x18",  1e-4, ANY, DOUBLE, CHART_FULL},
     {"discs:12x36", 1e-4, ANY, DOUBLE, CHART_QUICK},
     {0},
 };
@@ -158,8 +154,7 @@ static double ball_height(const Report* report, double at) {
 // clang-format off
 static const ChartResolution under_ball[] = {
     {"grid:20x20", 4e-3, ANY, DOUBLE, CHART_FULL},
-    {"grid:20x20", 1e-3, ANY, DOUBLE, CHART_FULL},
-    {"grid:40x40", 2e-3, ANY, DOUBLE, CHART_FULL},
+    {"grid:40x40", 2e-3, HELD, DOUBLE, CHART_FULL},
     {0},
 };
 // clang-format on
@@ -191,7 +186,6 @@ static double tether_truth(const ChartSkin* skin, double at) {
 
 // clang-format off
 static const ChartResolution tied[] = {
-    {"cube-sphere:8", 4e-3,   ANY,      DOUBLE, CHART_FULL},
     {"cube-sphere:8", 2e-3,   EXPLICIT, BOTH,   CHART_QUICK},
     {"cube-sphere:8", 2e-3,   IMPLICIT, DOUBLE, CHART_FULL},
     {"cube-sphere:8", 1e-3,   ANY,      DOUBLE, CHART_FULL},
@@ -226,7 +220,6 @@ static double squirrel_height(const Report* report, double at) {
 // clang-format off
 static const ChartResolution turns[] = {
     {"squirrel.obj", 8e-3, ANY,      DOUBLE, CHART_FULL},
-    {"squirrel.obj", 4e-3, ANY,      DOUBLE, CHART_FULL},
     {"squirrel.obj", 2e-3, EXPLICIT, BOTH,   CHART_FULL},
     {"squirrel.obj", 2e-2, IMPLICIT, DOUBLE, CHART_FULL},
     {"squirrel.obj", 1e-3, EXPLICIT, DOUBLE, CHART_FULL},

@@ -35,7 +35,7 @@ static const ChartResolution settled_membrane[] = {
     {"icosphere:1", 1e-3, ANY,      DOUBLE, CHART_FULL},
     {"icosphere:1", 2e-2, IMPLICIT, DOUBLE, CHART_FULL},
     {"icosphere:2", 4e-4, ANY,      BOTH,   CHART_QUICK},
-    {"icosphere:2", 2e-2, ANY,      BOTH,   CHART_QUICK},
+    {"icosphere:2", 2e-2, ANY,      DOUBLE, CHART_QUICK},
     {"icosphere:3", 4e-4, EXPLICIT, DOUBLE, CHART_FULL},
     {"icosphere:3", 2e-4, EXPLICIT, BOTH,   CHART_QUICK},
     {"icosphere:3", 1e-2, IMPLICIT, DOUBLE, CHART_FULL},
@@ -44,13 +44,15 @@ static const ChartResolution settled_membrane[] = {
     {"icosphere:4", 2e-2, IMPLICIT, DOUBLE, CHART_FULL},
     {"icosphere:5", 5e-5, EXPLICIT, DOUBLE, CHART_ALL},
     {"icosphere:5", 2e-2, IMPLICIT, DOUBLE, CHART_ALL},
+    {"cube-sphere:9", 2e-2, IMPLICIT, DOUBLE, CHART_QUICK},
+    {"cube-sphere:9", 1.0 / 240, IMPLICIT, DOUBLE, CHART_FULL},
     {0},
 };
 
 static const ChartResolution settled_springs[] = {
     {"cube-sphere:4",  1e-3, ANY,      DOUBLE, CHART_FULL},
-    {"cube-sphere:8",  5e-4, ANY,      BOTH,   CHART_QUICK},
-    {"cube-sphere:8",  1e-2, IMPLICIT, BOTH,   CHART_FULL},
+    {"cube-sphere:8",  5e-4, ANY,      DOUBLE, CHART_QUICK},
+    {"cube-sphere:8",  1e-2, IMPLICIT, DOUBLE, CHART_FULL},
     {"cube-sphere:16", 2e-4, EXPLICIT, DOUBLE, CHART_FULL},
     {"cube-sphere:16", 1e-2, IMPLICIT, DOUBLE, CHART_FULL},
     {"cube-sphere:32", 1e-4, ANY,      DOUBLE, CHART_ALL},
@@ -177,11 +179,10 @@ static double sudden_truth(const ChartSkin* skin, double at) {
 static const ChartResolution sudden_membrane[] = {
     {"icosphere:1", 1e-3,     ANY,      DOUBLE, CHART_FULL},
     {"icosphere:2", 1e-3,     ANY,      DOUBLE, CHART_QUICK},
-    {"icosphere:2", 5e-4,     ANY,      BOTH,   CHART_QUICK},
+    {"icosphere:2", 5e-4,     ANY,      DOUBLE, CHART_QUICK},
     {"icosphere:2", 2.5e-4,   ANY,      DOUBLE, CHART_QUICK},
     {"icosphere:2", 1.25e-4,  ANY,      DOUBLE, CHART_QUICK},
-    {"icosphere:3", 5e-4,     ANY,      DOUBLE, CHART_FULL},
-    {"icosphere:3", 2.5e-4,   ANY,      BOTH,   CHART_FULL},
+    {"icosphere:3", 2.5e-4,   ANY,      DOUBLE, CHART_FULL},
     {"icosphere:3", 6.25e-5,  ANY,      BOTH,   CHART_FULL},
     {"icosphere:4", 1.25e-4,  EXPLICIT, DOUBLE, CHART_FULL},
     {"icosphere:4", 3.125e-5, EXPLICIT, DOUBLE, CHART_FULL},
@@ -193,7 +194,6 @@ static const ChartResolution sudden_springs[] = {
     {"cube-sphere:8",  1e-3,    ANY,      DOUBLE, CHART_FULL},
     {"cube-sphere:8",  5e-4,    ANY,      DOUBLE, CHART_QUICK},
     {"cube-sphere:16", 2.5e-4,  ANY,      DOUBLE, CHART_FULL},
-    {"cube-sphere:16", 6.25e-5, EXPLICIT, DOUBLE, CHART_FULL},
     {0},
 };
 // clang-format on
@@ -231,10 +231,8 @@ static double fill_truth(const ChartSkin* skin, double at) {
 // clang-format off
 static const ChartResolution fill_membrane[] = {
     {"icosphere:1", 5e-4,     ANY,      DOUBLE, CHART_FULL},
-    {"icosphere:2", 1e-3,     IMPLICIT, DOUBLE, CHART_FULL},
     {"icosphere:2", 5e-4,     ANY,      DOUBLE, CHART_QUICK},
-    {"icosphere:2", 2.5e-4,   ANY,      BOTH,   CHART_FULL},
-    {"icosphere:3", 5e-4,     IMPLICIT, DOUBLE, CHART_FULL},
+    {"icosphere:2", 2.5e-4,   ANY,      DOUBLE, CHART_FULL},
     {"icosphere:3", 2.5e-4,   ANY,      DOUBLE, CHART_QUICK},
     {"icosphere:3", 6.25e-5,  EXPLICIT, DOUBLE, CHART_FULL},
     {"icosphere:4", 6.25e-5,  EXPLICIT, DOUBLE, CHART_FULL},

@@ -120,12 +120,14 @@ static bool draw_one(const ChartPlan* plan, int from, int to, const char* folder
             "set title \"{/:Bold %s}\\n{/*0.8 %s}\"\n"
             "set logscale xy\nset format y '10^{%%L}'\nset grid lt 1 lc rgb '#dddddd'\nset "
             "pointsize 1.1\n"
-            "set xlabel 'CPU time per simulated second [ms]'\nset ylabel '%s%s'\n"
+            "set xlabel 'CPU time per simulated second [ms]'\nset ylabel '%s%s%s%s%s'\n"
             "set yrange [%g:%g]\nset xrange [*<10:3000<*]\nset key outside right top\n"
             "set arrow from %g, graph 0 to %g, graph 1 nohead dt 2 lc '#888888'\n"
             "set label 'real time' at %g, graph 0.02 rotate left offset -0.7,0 tc '#888888'\n",
-            first->chart->about, chart_machine(), first->truth == 0 ? "" : "error of the ",
-            first->measure->about, low, high, real_time, real_time, real_time);
+            first->chart->about, chart_machine(), first->measure->unit ? "" : "error of the ",
+            first->measure->about, first->measure->unit ? " [" : "",
+            first->measure->unit ? first->measure->unit : "", first->measure->unit ? "]" : "", low,
+            high, real_time, real_time, real_time);
     if (first->floor > 0)
         fprintf(plot.script,
                 "set arrow from graph 0, first %g to graph 1, first %g nohead dt 3 lc '#888888'\n"

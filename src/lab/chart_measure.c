@@ -76,13 +76,14 @@ static bool take_times(const ChartPlan* plan, int round, double* ms, Fault* faul
     return !fault->text[0];
 }
 
-/// No other point of its name, or of its line too, is cheaper and not farther off.
+/// No other point of its name, or of its line too, is cheaper and not farther off; what stands
+/// apart is none of the best of all.
 static bool is_best(const ChartPlan* plan, const ChartPoint* point, bool of_line) {
-    if (!point->stable || !isfinite(point->error))
+    if (!point->stable || !isfinite(point->error) || (point->apart && !of_line))
         return false;
     for (int q = 0; q < plan->points; q++) {
         const ChartPoint* other = &plan->point[q];
-        if (other->stable && strcmp(other->name, point->name) == 0 &&
+        if (other->stable && (of_line || !other->apart) && strcmp(other->name, point->name) == 0 &&
             (!of_line || chart_same_line(other, point)) && other->ms < point->ms &&
             other->error <= point->error)
             return false;

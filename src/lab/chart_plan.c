@@ -6,7 +6,6 @@
 #include "base/memory.h"
 #include "lab/chart.h"
 #include "mesh/load.h"
-#include "world/place.h"
 #include "world/world.h"
 
 enum { SETS = 2 * CHART_SETS + 5 };
@@ -17,6 +16,7 @@ typedef struct Dress {
     const ChartSkin* skin;
     const ChartResolution* resolution;
     const ChartMeasure* measure;
+    const char* const* program;
     char text[SETS][220];
     SceneSet set[SETS];
     int sets;
@@ -33,8 +33,13 @@ __attribute__((format(printf, 2, 3))) static void add_set(Dress* dress, const ch
 
 /// In place, for it points into itself.
 static void dress_make(Dress* dress, const ChartCase* chart, const ChartSkin* skin,
-                       const ChartResolution* resolution, const ChartMeasure* measure) {
-    *dress = (Dress){.chart = chart, .skin = skin, .resolution = resolution, .measure = measure};
+                       const ChartResolution* resolution, const ChartMeasure* measure,
+                       const ChartOptions* options) {
+    *dress = (Dress){.chart = chart,
+                     .skin = skin,
+                     .resolution = resolution,
+                     .measure = measure,
+                     .program = options->program};
     add_set(dress, "balloons.0.model=%s", resolution->model);
     for (int k = 0; k < CHART_SETS && skin->set[k]; k++)
         add_set(dress, "%s", skin->set[k]);
@@ -85,14 +90,10 @@ static int find_launch(ChartPlan* plan, Launch* launch) {
 }
 
 /// The command line of a run by a method, or NULL: by the peer.
-static bool command(const Dress* dress, const char* method, double step, const char* precision,
-                    Launch* launch, Fault* fault) {
-    char program[512];
+static void command(const Dress* dress, const char* method, double step, const char* precision,
+                    Launch* launch) {
     const ChartPeer* peer = &dress->chart->peer;
-    const bool is_double = strcmp(precision, "double") == 0;
-    if (!place_sibling(is_double ? "balloon-double" : "balloon", program, fault))
-        return false;
-    launch_add(launch, "%s", program);
+    launch_add(launch, "%s", dress->program[strcmp(precision, "double") == 0]);
     launch_add(launch, method ? "run" : "peer");
     launch_add(launch, "%s.yaml", dress->chart->scene);
     if (method)
@@ -110,7 +111,6 @@ static bool command(const Dress* dress, const char* method, double step, const c
     launch_add(launch, "--csv=-");
     launch_add(launch, "--time");
     launch_add(launch, "--hash");
-    return true;
 }
 
 static const char* skin_of(const BalloonDef* balloon, const char** law) {
@@ -121,8 +121,8 @@ static const char* skin_of(const BalloonDef* balloon, const char** law) {
 }
 
 /// method NULL: the peer's.
-static bool add_point(ChartPlan* plan, const Dress* dress, const World* world, const Method* method,
-                      const char* precision, Fault* fault) {
+static void add_point(ChartPlan* plan, const Dress* dress, const World* world, const Method* method,
+                      const char* precision) {
     const char* law;
     const ChartMeasure* measure = dress->measure;
     ChartPoint* point = &plan->point[plan->points++];
@@ -133,6 +133,7 @@ static bool add_point(ChartPlan* plan, const Dress* dress, const World* world, c
                           .precision = precision,
                           .truth = measure->truth ? measure->truth(dress->skin, measure->at)
                                                   : (double)NAN,
+                          .apart = method && dress->skin->apart,
                           .launch = NONE};
     snprintf(point->name, sizeof point->name, "%s%s%s", dress->chart->scene,
              measure->name ? "." : "", measure->name ? measure->name : "");
@@ -141,15 +142,11 @@ static bool add_point(ChartPlan* plan, const Dress* dress, const World* world, c
     snprintf(point->skin, sizeof point->skin, "%s", method ? skin : "links");
     snprintf(point->law, sizeof point->law, "%s", method ? law : "-");
     if (method && method->refuses && method->refuses(&world->balloon[0].body))
-        return true;
+        return;
 
     Launch launch = {.words = 0};
-    if (!command(dress, method ? method->name : NULL, point->step, precision, &launch, fault)) {
-        launch_free(&launch);
-        return false;
-    }
+    command(dress, method ? method->name : NULL, point->step, precision, &launch);
     point->launch = find_launch(plan, &launch);
-    return true;
 }
 
 /// Implicit methods are those that no step makes unstable.
@@ -180,32 +177,32 @@ static bool add_points(ChartPlan* plan, Dress* dress, bool peer, const ChartOpti
         !world_open(&world, &def, fault))
         return false;
     const bool both = at->state == BOTH || options->extent == CHART_ALL;
-    bool good = true;
-    for (int k = 0; good && k < (peer ? 1 : method_count); k++) {
+    for (int k = 0; k < (peer ? 1 : method_count); k++) {
         const Method* method = peer ? NULL : method_table[k];
         if (method && (!takes_part(method, at->who) || (only && strcmp(method->name, only) != 0)))
             continue;
-        good = add_point(plan, dress, &world, method, "double", fault) &&
-               (!both || add_point(plan, dress, &world, method, "float", fault));
+        add_point(plan, dress, &world, method, "double");
+        if (both)
+            add_point(plan, dress, &world, method, "float");
     }
     world_close(&world);
-    return good;
+    return true;
 }
 
 /// The runs that tell what is true where no closed form does: h and h/2 of two methods.
-static bool add_references(ChartPlan* plan, const ChartCase* chart, Fault* fault) {
+static bool add_references(ChartPlan* plan, const ChartCase* chart, const ChartOptions* options,
+                           Fault* fault) {
     const ChartReference* reference = &chart->reference;
     const ChartResolution at = {.model = reference->model};
     Dress dress;
-    dress_make(&dress, chart, &chart->skin[0], &at, &chart->measure[0]);
+    dress_make(&dress, chart, &chart->skin[0], &at, &chart->measure[0], options);
     plan->referred[plan->references / CHART_REFERENCES] = chart;
     if (!share_mass(&dress, fault))
         return false;
     for (int k = 0; k < CHART_REFERENCES; k++) {
         Launch* launch = &plan->reference[plan->references++];
         const double step = reference->step[k / 2] / (k % 2 + 1);
-        if (!command(&dress, reference->method[k / 2], step, "double", launch, fault))
-            return false;
+        command(&dress, reference->method[k / 2], step, "double", launch);
     }
     return true;
 }
@@ -226,7 +223,7 @@ static bool walk_resolutions(ChartPlan* plan, const ChartCase* chart, const Char
         if (!plan)
             continue;
         Dress dress;
-        dress_make(&dress, chart, skin ? skin : &chart->skin[0], at, measure);
+        dress_make(&dress, chart, skin ? skin : &chart->skin[0], at, measure, options);
         if (!skin)
             dress_peer(&dress);
         if (!add_points(plan, &dress, !skin, options, fault))
@@ -268,7 +265,7 @@ bool chart_plan(ChartPlan* plan, const ChartOptions* options, Fault* fault) {
         if (!walk(plan, chart_table[k], options, &room, fault))
             return false;
         if (plan->points > before && chart_table[k]->reference.model &&
-            !add_references(plan, chart_table[k], fault))
+            !add_references(plan, chart_table[k], options, fault))
             return false;
     }
     return true;

@@ -91,7 +91,7 @@ static const ChartPoint* cheapest(const ChartPlan* plan, int from, bool peer, do
     const ChartPoint* best = NULL;
     for (int p = from; p < chart_end(plan, from); p++) {
         const ChartPoint* point = &plan->point[p];
-        if (point->launch != NONE && point->stable && point->error <= error &&
+        if (point->launch != NONE && !point->apart && point->stable && point->error <= error &&
             chart_is_peer(point) == peer && (!best || point->ms < best->ms))
             best = point;
     }
@@ -102,16 +102,26 @@ static const ChartPoint* cheapest(const ChartPlan* plan, int from, bool peer, do
 static double least_error(const ChartPlan* plan, int from, bool peer) {
     double least = INFINITY;
     for (int p = from; p < chart_end(plan, from); p++)
-        if (plan->point[p].stable && chart_is_peer(&plan->point[p]) == peer)
+        if (plan->point[p].stable && !plan->point[p].apart &&
+            chart_is_peer(&plan->point[p]) == peer)
             least = fmin(least, plan->point[p].error);
     return least;
 }
 
-static void write_best(const ChartPoint* point, FILE* out) {
-    if (point)
-        fprintf(out, "%s, %s, %d vertices, %g s, %s | %.3g | %.2g %% |", point->method, point->law,
-                point->vertices, point->step, point->precision, point->ms, 100 * point->error);
+static void write_error(const ChartPoint* point, FILE* out) {
+    if (point->measure->unit)
+        fprintf(out, "%.2g %s", point->error, point->measure->unit);
     else
+        fprintf(out, "%.2g %%", 100 * point->error);
+}
+
+static void write_best(const ChartPoint* point, FILE* out) {
+    if (point) {
+        fprintf(out, "%s, %s, %d vertices, %g s, %s | %.3g | ", point->method, point->law,
+                point->vertices, point->step, point->precision, point->ms);
+        write_error(point, out);
+        fprintf(out, " |");
+    } else
         fprintf(out, "- | - | - |");
 }
 
@@ -128,9 +138,11 @@ static void write_table(const ChartPlan* plan, FILE* out) {
         if (!ours)
             fprintf(out, "none; nearest: ");
         write_best(ours ? ours : cheapest(plan, from, false, least_error(plan, from, false)), out);
-        if (peer)
-            fprintf(out, " %.2g %% | %.3g |\n", 100 * peer->error, peer->ms);
-        else
+        if (peer) {
+            fprintf(out, " ");
+            write_error(peer, out);
+            fprintf(out, " | %.3g |\n", peer->ms);
+        } else
             fprintf(out, " %s | - |\n",
                     first->chart->peer.none         ? first->chart->peer.none
                     : first->chart->peer.resolution ? "fell"
