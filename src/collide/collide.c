@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "collide/cross.h"
 #include "collide/feature.h"
+#include "collide/near.h"
 #include "collide/paper.h"
 #include "collide/sweep.h"
 
@@ -36,14 +37,6 @@ void collide_open(Collide* collide, ContactLaw law, double gravity, const Plane*
         collide->skin[b] = (CollideSkin){.body = body[b], .before = before[b]};
 }
 
-static void see_fastest(CollideSkin* skin) {
-    const Body* body = skin->body;
-    real fastest = 0;
-    for (int i = 0; i < body->count; i++)
-        fastest = real_max(fastest, dot(body->v[i], body->v[i]));
-    skin->fastest = sqrt((double)fastest);
-}
-
 /// What only a scene with balls needs, made at the first of them.
 static void begin(Collide* collide) {
     collide->bullet = bullet_open();
@@ -58,7 +51,8 @@ static void begin(Collide* collide) {
         skin->owners = feature_owners(mesh);
         skin->patches = bullet_skin_open(collide->bullet, (const int(*)[3])mesh->triangle,
                                          mesh->triangle_count, skin->body->x, mesh->point_count);
-        see_fastest(skin);
+        skin->fastest = near_fastest(skin->body);
+        skin->grown = INFINITY;
     }
     collide->contact_room = CONTACTS_FIRST;
     collide->contact = new_array(Contact, CONTACTS_FIRST);
@@ -70,23 +64,15 @@ static void begin(Collide* collide) {
     collide->pair = new_array(CollidePair, SPHERES_FIRST * collide->skin_count);
 }
 
-/// `count` more elements: a new array of twice the room with the old one's content.
-static void* grown(void* old, size_t count, size_t size) {
-    void* array = memory_array(2 * count, size);
-    memcpy(array, old, count * size);
-    free(old);
-    return array;
-}
-
 void collide_add(Collide* collide, const Sphere* sphere) {
     if (!collide->bullet)
         begin(collide);
     if (collide->sphere_count == collide->sphere_room) {
         const size_t room = (size_t)collide->sphere_room;
-        collide->sphere = grown(collide->sphere, room, sizeof(Sphere));
-        collide->good = grown(collide->good, room, sizeof(Sphere));
+        collide->sphere = near_grown(collide->sphere, room, sizeof(Sphere));
+        collide->good = near_grown(collide->good, room, sizeof(Sphere));
         collide->pair =
-            grown(collide->pair, room * (size_t)collide->skin_count, sizeof(CollidePair));
+            near_grown(collide->pair, room * (size_t)collide->skin_count, sizeof(CollidePair));
         collide->sphere_room *= 2;
     }
     const int s = collide->sphere_count++;
@@ -100,53 +86,16 @@ void collide_add(Collide* collide, const Sphere* sphere) {
     }
 }
 
+/// What is known of contacts and boxes is no longer so.
+static void forget(Collide* collide) {
+    collide->contact_count = collide->near_count = collide->warm.count = 0;
+    for (int b = 0; b < collide->skin_count; b++)
+        collide->skin[b].grown = INFINITY;
+}
+
 void collide_clear(Collide* collide) {
     collide->sphere_count = 0;
-    collide->contact_count = collide->near_count = collide->warm.count = 0;
-}
-
-/// Boxes of a skin's patches, as they are now.
-static void look(CollideSkin* skin) {
-    bullet_skin_refit(skin->patches, 0);
-    bullet_skin_box(skin->patches, skin->low, skin->high);
-}
-
-static double box_distance(const CollideSkin* skin, double4 point) {
-    double4 away = {0};
-    for (int k = 0; k < 3; k++)
-        away[k] = fmax(fmax(skin->low[k] - point[k], point[k] - skin->high[k]), 0);
-    return dlength(away);
-}
-
-/// Triangles of a skin within reach of a ball's centre, into collide->triangle. Returns the count.
-static int near(Collide* collide, CollideSkin* skin, const Sphere* sphere, double reach) {
-    const double center[3] = {(double)sphere->x[0], (double)sphere->x[1], (double)sphere->x[2]};
-    int count;
-    while ((count = bullet_skin_near(collide->bullet, skin->patches, center, reach,
-                                     collide->triangle, collide->contact_room)) >
-           collide->contact_room - collide->near_count) {
-        const size_t room = (size_t)collide->contact_room;
-        collide->contact = grown(collide->contact, room, sizeof(Contact));
-        collide->triangle = grown(collide->triangle, room, sizeof(int));
-        collide->warm.push = grown(collide->warm.push, room, sizeof(Push));
-        collide->contact_room *= 2;
-    }
-    return count;
-}
-
-/// Distance of a ball's centre to the nearest triangle, or `far` if there is none so near. The
-/// reach is doubled until something is in it, so that a far look costs no more than a near one.
-static double nearest_distance(Collide* collide, CollideSkin* skin, Sphere* sphere, double far) {
-    for (double reach = 1.5 * (double)sphere->radius;; reach *= 2) {
-        const int count = near(collide, skin, sphere, fmin(reach, far));
-        double distance = far;
-        for (int k = 0; k < count; k++) {
-            const Contact contact = contact_make(sphere, skin->body, collide->triangle[k], 1);
-            distance = fmin(distance, (double)(contact.gap + sphere->radius));
-        }
-        if (distance < fmin(reach, far) || reach >= far)
-            return distance;
-    }
+    forget(collide);
 }
 
 /// How long a ball may go before it has to look at a skin again.
@@ -154,9 +103,12 @@ static double pace_of(Collide* collide, CollideSkin* skin, Sphere* sphere, doubl
     const double radius = (double)sphere->radius;
     const double speed = (double)length(sphere->v) + collide->gravity * h + skin->fastest;
     const double reach = radius + speed * h;
-    if (speed * h <= deep * radius || box_distance(skin, to_double4(sphere->x)) >= reach)
+    if (speed * h <= deep * radius || near_box(skin, to_double4(sphere->x)) >= reach)
         return h;
-    const double distance = nearest_distance(collide, skin, sphere, reach);
+    near_refit(skin);
+    if (near_box(skin, to_double4(sphere->x)) >= reach)
+        return h;
+    const double distance = near_distance(collide, skin, sphere, reach);
     return fmin(h, fmax(deep * radius, distance - radius) / speed);
 }
 
@@ -186,8 +138,12 @@ static double pace_of_balls(const Collide* collide, int s, double h) {
 double collide_pace(Collide* collide, double h) {
     if (collide->sphere_count == 0 || collide->law == CONTACT_PAPER)
         return h;
-    for (int b = 0; b < collide->skin_count; b++)
-        look(&collide->skin[b]);
+    for (int b = 0; b < collide->skin_count; b++) { // what corrections made of speeds is a way, too
+        CollideSkin* skin = &collide->skin[b];
+        const double fastest = near_fastest(skin->body);
+        skin->grown += collide->drift * fmax(skin->fastest, fastest);
+        skin->fastest = fastest;
+    }
     collide->contact_count = collide->near_count = 0;
     double pace = h;
     for (int s = 0; s < collide->sphere_count; s++) {
@@ -229,8 +185,8 @@ static void gather_pair(Collide* collide, int s, int b, double h) {
     const double reach = (1 + slack) * radius + 2 * speed * h;
     const real fall = (real)(h * collide->gravity);
     bool touching = false;
-    pair->seen = fmax(reach, box_distance(skin, to_double4(sphere->x)));
-    const int count = pair->seen <= reach ? near(collide, skin, sphere, reach) : 0;
+    pair->seen = fmax(reach, near_box(skin, to_double4(sphere->x)));
+    const int count = pair->seen <= reach ? near_triangles(collide, skin, sphere, reach) : 0;
     for (int k = 0; k < count; k++) {
         Contact contact = contact_make(sphere, skin->body, collide->triangle[k], (real)pair->side);
         contact.pair = number;
@@ -262,7 +218,7 @@ static void gather(Collide* collide, double h) {
 /// much of h may be drifted so that none of the others comes into the core of a ball.
 static double unseen(Collide* collide, double h) {
     for (int b = 0; b < collide->skin_count; b++)
-        see_fastest(&collide->skin[b]);
+        collide->skin[b].fastest = near_fastest(collide->skin[b].body);
     for (int s = 0; s < collide->sphere_count; s++)
         for (int b = 0; b < collide->skin_count; b++) {
             Sphere* sphere = &collide->sphere[s];
@@ -271,7 +227,7 @@ static double unseen(Collide* collide, double h) {
             const double way = speed * h + core * (double)sphere->radius;
             if (way <= seen)
                 continue;
-            const double distance = nearest_distance(collide, &collide->skin[b], sphere, way);
+            const double distance = near_distance(collide, &collide->skin[b], sphere, way);
             h = fmin(h, (fmax(seen, distance) - core * (double)sphere->radius) / speed);
         }
     return h;
@@ -334,6 +290,7 @@ double collide_velocities(Collide* collide, double h) {
 }
 
 void collide_drift(Collide* collide, double h) {
+    collide->drift = h;
     for (int k = 0; k < collide->near_count; k++) {
         const Contact* c = &collide->contact[k];
         if (!sweep_passes(c, h))
@@ -365,7 +322,7 @@ void collide_keep(Collide* collide) {
 
 void collide_put_back(Collide* collide) {
     collide->sphere_count = collide->good_count;
-    collide->contact_count = collide->near_count = collide->warm.count = 0;
+    forget(collide);
     if (collide->good_count)
         memcpy(collide->sphere, collide->good, (size_t)collide->good_count * sizeof(Sphere));
 }

@@ -32,7 +32,8 @@ typedef struct CollideSkin {
     const real4* before;    ///< [count] velocities before the kick, the caller's
     BulletSkin* patches;    ///< NULL until the first ball
     unsigned char* owners;  ///< which triangle a shared corner or edge belongs to (feature.h)
-    double low[3], high[3]; ///< box of the skin at the last pace
+    double low[3], high[3]; ///< box of the skin at its last refit
+    double grown;           ///< how far any of it may have gone since then [m]
     double fastest;         ///< speed of its fastest particle in the last drift [m/s]
 } CollideSkin;
 
@@ -56,6 +57,7 @@ typedef struct Collide {
     Sphere* sphere;    ///< [sphere_room]
     CollidePair* pair; ///< [sphere_room * skin_count], ball after ball
     Bullet* bullet;    ///< NULL until the first ball
+    double drift;      ///< length of the last one [s]
     int contact_count; ///< contacts that may touch in this part
     int near_count;    ///< those, and behind them the triangles that are near
     int contact_room;
