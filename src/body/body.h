@@ -43,6 +43,8 @@ typedef struct Body {
     real* inverse_mass; ///< [count] [1/kg], 0 holds a particle where it is
     double size;        ///< longest side of the first bounding box [m]
     double scale;       ///< first lengths over the mesh's [1]
+    bool asleep;        ///< it does not move, and no force on it is computed (world/rest.h)
+    int still;          ///< looks since it last moved or was touched
 
     double gravity; ///< [m/s^2] downward, 0: none
     Springs springs;
@@ -90,6 +92,11 @@ void body_push(Body* body, double h);
 
 /// x' = x + h v'.
 void body_drift(Body* body, double h);
+
+static inline void body_wake(Body* body) {
+    body->asleep = false;
+    body->still = 0;
+}
 
 /// Damping force per velocity on a particle [kg/s].
 static inline double body_drag(const Body* body, int particle) {

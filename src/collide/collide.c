@@ -202,6 +202,7 @@ static void gather_pair(Collide* collide, int s, int b, double h) {
             else
                 warm_give(&collide->warm, &contact, h);
             collide->contact[collide->contact_count++] = contact;
+            body_wake(skin->body);
         }
     }
     pair->touching = touching;
@@ -250,7 +251,7 @@ static double allowed(const Collide* collide, double h) {
 static bool stop_on_planes(Collide* collide, double h) {
     bool any = false;
     for (int b = 0; b < collide->skin_count; b++)
-        for (int k = 0; k < collide->plane_count; k++)
+        for (int k = 0; k < collide->plane_count && !collide->skin[b].body->asleep; k++)
             any |= plane_stop(collide->skin[b].body, &collide->plane[k], h);
     return any;
 }

@@ -83,8 +83,9 @@ void collide_clear(Collide* collide);
 /// How much of h the world may go in its next part [s], greater than 0.
 double collide_pace(Collide* collide, double h);
 
-/// Velocities that respect all contacts in a drift of length h; returns how much of h may be
-/// drifted, h itself unless the contacts made something much faster.
+/// Velocities that respect all contacts in a drift of length h, wherever a ball may touch a skin
+/// that sleeps it is awake; returns how much of h may be drifted, h itself unless the contacts made
+/// something much faster.
 double collide_velocities(Collide* collide, double h);
 
 /// Count what is about to pass through, and move the balls. Call before the skins drift.

@@ -14,6 +14,8 @@ void* near_grown(void* old, size_t count, size_t size) {
 }
 
 double near_fastest(const Body* body) {
+    if (body->asleep)
+        return 0;
     real fastest = 0;
     for (int i = 0; i < body->count; i++)
         fastest = real_max(fastest, dot(body->v[i], body->v[i]));

@@ -28,6 +28,7 @@ typedef struct Balloon {
     real4* good_x;        ///< [count] last good positions
     real4* good_v;        ///< [count] last good velocities
     real* good_thickness; ///< [elements] last good thicknesses
+    double slept_with;    ///< amount when it fell asleep
     real4* last_v;        ///< [count] before the kick, where it may have to be taken back
 } Balloon;
 

@@ -1,5 +1,7 @@
 #include "world/command.h"
 
+#include "world/rest.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -187,6 +189,7 @@ static bool throw(World * world, const Event* event, Fault* fault) {
 }
 
 bool world_event(World* world, const Event* event, Fault* fault) {
+    rest_wake_all(world);
     switch (event->kind) {
         case EVENT_THROW:
             return throw(world, event, fault);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "world/rest.h"
 #include "world/world.h"
 
 /// A particle that a fast ball has stretched away snaps back at several sizes a step and is well;
@@ -25,6 +26,8 @@ static double smallest_bound(const World* world, int* balloon) {
     double least = INFINITY;
     *balloon = 0;
     for (int b = 0; b < world->balloon_count; b++) {
+        if (world->balloon[b].body.asleep)
+            continue;
         const double bound = method_bound(world->method, &world->balloon[b].body);
         if (bound < least) {
             least = bound;
@@ -98,6 +101,7 @@ static void put_back(World* world) {
                    (size_t)balloon->body.membrane.count * sizeof(real));
     }
     collide_put_back(&world->collide);
+    rest_wake_all(world);
 }
 
 void guard_unsolved(World* world, int balloon, double h) {
@@ -150,6 +154,8 @@ void guard_check(World* world) {
     const double h = world->drift;
     for (int b = 0; b < world->balloon_count; b++) {
         const Balloon* balloon = &world->balloon[b];
+        if (balloon->body.asleep)
+            continue;
         if (has_no_room(&balloon->body)) {
             halt_without_room(world, b);
             return;

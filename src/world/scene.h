@@ -218,6 +218,7 @@ typedef struct WorldDef {
     char* method; ///< a row of the method table; NULL: its first
     SolverDef solver;
     char* show;     ///< the display mode to begin with; NULL: skin
+    double rest;    ///< slower than so many of its sizes a second a balloon rests; 0: never [1/s]
     double seconds; ///< how long headless runs last if nobody says; 0: 10
     CameraDef* camera;
     AboutDef* about;

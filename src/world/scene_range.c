@@ -8,6 +8,7 @@
 const Range range_table[] = {
     {"step",                                 0, 1,        true},
     {"seconds",                              0, INFINITY, true},
+    {"rest",                                 0, 1,        false},
     {"solver.iterations",                    0, 10000,    false},
     {"solver.tolerance",                     0, 1,        false},
     {"solver.linear_tolerance",              0, 1,        false},

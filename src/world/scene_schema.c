@@ -222,6 +222,7 @@ static const cyaml_schema_field_t world_field[] = {
     TEXT(method, MAY, WorldDef, WORD_MOST),
     GROUP(solver, MAY, WorldDef, solver_field),
     TEXT(show, MAY, WorldDef, WORD_MOST),
+    NUMBER(rest, MAY, WorldDef),
     NUMBER(seconds, MAY, WorldDef),
     GROUP_OR_NULL(camera, WorldDef, camera_field),
     GROUPS(about, MAY, WorldDef, &about, 0),

@@ -7,6 +7,7 @@
 #include "base/memory.h"
 #include "force/inflation.h"
 #include "world/command.h"
+#include "world/rest.h"
 
 enum { SPLITS_MOST = 1024 }; ///< of a step that a method cannot solve
 enum { PARTS_MOST = 4096 };  ///< of a step; what is left of it then is dropped: the ball waits
@@ -132,6 +133,8 @@ static void say_factored(World* world, int b, double h) {
 static int kick(World* world, double h) {
     for (int b = 0; b < world->balloon_count; b++) {
         Balloon* balloon = &world->balloon[b];
+        if (balloon->body.asleep)
+            continue;
         memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
         const bool solved = world->method->kick(&balloon->body, balloon->room, h, &balloon->effort);
         say_factored(world, b, h);
@@ -159,11 +162,14 @@ static void advance(World* world, double h) {
             world->solvable = pace / 2 / whole;
         }
         for (int b = 0; b < world->balloon_count; b++)
-            correct_velocity(&world->balloon[b].correct, &world->balloon[b].body, pace);
+            if (!world->balloon[b].body.asleep)
+                correct_velocity(&world->balloon[b].correct, &world->balloon[b].body, pace);
 
         const double drift = collide_velocities(&world->collide, pace);
         collide_drift(&world->collide, drift);
         for (int b = 0; b < world->balloon_count; b++) {
+            if (world->balloon[b].body.asleep)
+                continue;
             world->method->drift(&world->balloon[b].body, drift);
             preserve_volume(&world->balloon[b].preserve, &world->balloon[b].body, drift);
         }
@@ -191,6 +197,7 @@ void world_step(World* world) {
         return;
 
     flow(world, world->step);
+    rest_wake_changed(world);
     const double h = world->step / world->substeps;
     for (int part = 0; part < world->substeps && !world->blowup.halted; part++)
         advance(world, h);
@@ -200,6 +207,7 @@ void world_step(World* world) {
 
     // a state that went bad is caught here, at its step
     guard_check(world);
+    rest_look(world);
 }
 
 uint64_t world_hash(const World* world) {
@@ -211,6 +219,8 @@ uint64_t world_hash(const World* world) {
             hash = hash_bytes(hash, &body->x[i], 3 * sizeof(real));
             hash = hash_bytes(hash, &body->v[i], 3 * sizeof(real));
         }
+        if (world->def.rest > 0)
+            hash = hash_bytes(hash, &body->still, sizeof body->still);
     }
     for (int s = 0; s < world->collide.sphere_count; s++) {
         const Sphere* sphere = &world->collide.sphere[s];

@@ -49,7 +49,8 @@ struct World {
 /// this fails). Bad models and refused pairs are faults.
 bool world_open(World* world, WorldDef* def, Fault* fault);
 
-/// One fixed step: kick, correction, contacts, drift, guard. Once halted, only the clock goes on.
+/// One fixed step: kick, correction, contacts, drift, guard, rest. Once halted, only the clock goes
+/// on.
 void world_step(World* world);
 
 /// Everything as world_open left it.
@@ -64,7 +65,7 @@ static inline double world_time(const World* world) {
 }
 
 /// Hash of every particle's position and velocity, balloons in order, particles in loaded order,
-/// and of every ball's.
+/// and of every ball's; where balloons may sleep, for how long they have been still.
 uint64_t world_hash(const World* world);
 
 void world_close(World* world);

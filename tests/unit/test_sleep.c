@@ -1,0 +1,96 @@
+/// Balloons that come to rest sleep, cost nothing, and wake when anything is asked of them.
+#include "worlds.h"
+
+static const double settle = 20; ///< [s]
+
+static void open_tether(World* world, const char* rest) {
+    WORLD_OF(world, "tether", rest);
+}
+
+/// What is left out is the way that was left to go: 5 s at a thousandth of its size a second, for
+/// the string's swing decays at 10/s.
+static void a_balloon_at_rest_sleeps_where_it_would_be(void** state) {
+    (void)state;
+    World world[2];
+    open_tether(&world[0], "rest=0");
+    open_tether(&world[1], "rest=1e-3");
+    for (int k = 0; k < 2; k++)
+        run_for(&world[k], settle);
+    const Body *awake = &world[0].balloon[0].body, *asleep = &world[1].balloon[0].body;
+    assert_false(awake->asleep);
+    assert_true(asleep->asleep);
+    for (int i = 0; i < asleep->count; i++) {
+        assert_near((double)length(asleep->x[i] - awake->x[i]), 0, 1e-3 * asleep->size);
+        assert_near((double)length(asleep->v[i]), 0, 0);
+    }
+    const uint64_t hash = world_hash(&world[1]);
+    run_for(&world[1], 1);
+    assert_true(world_hash(&world[1]) == hash);
+    for (int k = 0; k < 2; k++)
+        world_close(&world[k]);
+}
+
+static void a_key_wakes_it(void** state) {
+    (void)state;
+    World world;
+    open_tether(&world, "rest=1e-3");
+    run_for(&world, settle);
+    assert_true(world.balloon[0].body.asleep);
+    const double volume = probe(&world, "balloon0.volume");
+    press(&world, "inflate", "down");
+    run_for(&world, 2);
+    assert_false(world.balloon[0].body.asleep);
+    assert_less(1.01 * volume, probe(&world, "balloon0.volume"));
+    world_close(&world);
+}
+
+/// A filling that begins while it sleeps.
+static void gas_wakes_it(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "tether", "rest=1e-3",
+             "balloons.0.inflation.fill={to: 5, start: 21, seconds: 1}");
+    run_for(&world, 20);
+    assert_true(world.balloon[0].body.asleep);
+    const double volume = probe(&world, "balloon0.volume");
+    run_for(&world, 2);
+    assert_false(world.balloon[0].body.asleep);
+    assert_less(1.01 * volume, probe(&world, "balloon0.volume"));
+    world_close(&world);
+}
+
+/// A ball that is on its way, 2.9 s through the air, is no reason to wake; that it has come is. It
+/// does not pass through, and the balloon gets what the ball loses.
+static void a_ball_wakes_it(void** state) {
+    (void)state;
+    World world;
+    open_tether(&world, "rest=1e-3");
+    run_for(&world, settle);
+    Event event = {.kind = EVENT_THROW, .step = world.clock};
+    const double y = probe(&world, "balloon0.cy");
+    const double thrown[] = {-30, y, 0, 10, 14, 0, 0.1, 0.3};
+    memcpy(event.thrown, thrown, sizeof thrown);
+    Fault fault = {0};
+    assert_true(world_event(&world, &event, &fault)); // an event wakes it for a moment
+    run_for(&world, 1);
+    assert_true(world.balloon[0].body.asleep);
+    while (world.balloon[0].body.asleep && world_time(&world) < settle + 5)
+        world_step(&world);
+    assert_less(-4, (double)world.collide.sphere[0].x[0]);
+    assert_less((double)world.collide.sphere[0].x[0], -1);
+    run_for(&world, 0.3);
+    assert_less((double)world.collide.sphere[0].v[0], 9);
+    assert_less(0.01, probe(&world, "balloon0.cx"));
+    assert_int_equal(world.collide.pass_throughs, 0);
+    world_close(&world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_balloon_at_rest_sleeps_where_it_would_be),
+        cmocka_unit_test(a_key_wakes_it),
+        cmocka_unit_test(gas_wakes_it),
+        cmocka_unit_test(a_ball_wakes_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
