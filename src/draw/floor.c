@@ -20,8 +20,9 @@ bool floor_open(Floor* floor, const char* shader_dir, Fault* fault) {
 }
 
 void floor_take(Floor* floor, const Picture* picture) {
-    if (!picture->floor)
+    if (!picture->floor || (picture->stamp != 0 && picture->stamp == floor->seen))
         return;
+    floor->seen = picture->stamp;
     shadow_cast(&floor->shadow, picture);
     glBindTexture(GL_TEXTURE_2D, floor->texture);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, SHADOW_SIDE, SHADOW_SIDE, GL_RGBA, GL_UNSIGNED_BYTE,

@@ -8,6 +8,7 @@
 #include "draw/shadow.h"
 
 typedef struct Floor {
+    long seen;              ///< stamp of the picture whose shadow it is
     GLuint floor, backdrop; ///< programs
     GLuint empty;           ///< vertex array without attributes: shaders make the corners
     GLuint texture;         ///< the shadow map

@@ -140,17 +140,26 @@ static int take_selected(Skins* skins, const Picture* picture, int used) {
     return used + skins->selected.count;
 }
 
-static void upload(const Skins* skins, int points, int triangles) {
-    // new storage each time: the driver may still be drawing from the old
-    glBindVertexArray(skins->array);
+// New storage each time: the driver may still be drawing from the old.
+static void upload_points(const Skins* skins, int points) {
     glBindBuffer(GL_ARRAY_BUFFER, skins->points);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)sizeof(SkinPoint) * points, skins->point,
                  GL_STREAM_DRAW);
+}
+
+static void upload_triangles(const Skins* skins, int triangles) {
+    glBindVertexArray(skins->array);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)sizeof skins->triangle[0] * triangles,
                  skins->triangle, GL_STREAM_DRAW);
 }
 
 void skins_take(Skins* skins, const Picture* picture, const float eye[3]) {
+    const bool changed = picture->stamp == 0 || picture->stamp != skins->seen;
+    if (!changed && memcmp(eye, skins->eye, sizeof skins->eye) == 0)
+        return;
+    skins->seen = picture->stamp;
+    memcpy(skins->eye, eye, sizeof skins->eye);
+
     int points = 0, triangles = 0;
     for (int i = 0; i < picture->skin_count; i++) {
         points += picture->skin[i].point_count;
@@ -168,7 +177,9 @@ void skins_take(Skins* skins, const Picture* picture, const float eye[3]) {
     for (int paint = 0; paint < PAINT_COUNT; paint++)
         used = take_paint(skins, picture, (SkinPaint)paint, used, eye);
     used = take_selected(skins, picture, used);
-    upload(skins, points, used);
+    if (changed)
+        upload_points(skins, points);
+    upload_triangles(skins, used);
 }
 
 static void draw_range(const Skins* skins, SkinRange range) {

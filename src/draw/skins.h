@@ -30,6 +30,9 @@ typedef struct Skins {
     SkinRange painted[PAINT_COUNT]; ///< far to near
     SkinRange selected;
 
+    long seen;    ///< stamp of the picture that was taken last
+    float eye[3]; ///< from where
+
     int point_room, triangle_room; ///< what the arrays below have room for
     SkinPoint* point;              ///< [point_room]
     float* away;                   ///< [point_room] squared distance from the eye
@@ -41,7 +44,8 @@ typedef struct Skins {
 } Skins;
 
 bool skins_open(Skins* skins, const char* shader_dir, Fault* fault);
-/// Gather, sort and hand the picture's skins to the driver.
+/// Gather, sort and hand the picture's skins to the driver: points where any has changed, and their
+/// order where that or the eye has.
 void skins_take(Skins* skins, const Picture* picture, const float eye[3]);
 void skins_draw(const Skins* skins, SkinPaint paint);
 /// Is any of them see-through?

@@ -11,9 +11,16 @@ static void widen(const PictureSkin* skin, double* low, double* high) {
     }
 }
 
-static void tint(PictureSkin* skin, const float range[2]) {
-    for (int i = 0; i < skin->point_count; i++)
-        color_scale((skin->field[i] - range[0]) / (range[1] - range[0]), skin->tint[i]);
+/// Whether any colour is another now.
+static bool tint(PictureSkin* skin, const float range[2]) {
+    bool changed = false;
+    for (int i = 0; i < skin->point_count; i++) {
+        float color[3];
+        color_scale((skin->field[i] - range[0]) / (range[1] - range[0]), color);
+        changed |= memcmp(color, skin->tint[i], sizeof color) != 0;
+        memcpy(skin->tint[i], color, sizeof color);
+    }
+    return changed;
 }
 
 void field_take(Picture* picture, const World* world, const Mode* mode) {
@@ -32,7 +39,7 @@ void field_take(Picture* picture, const World* world, const Mode* mode) {
     picture->range[1] = (float)high;
     for (int b = 0; b < world->balloon_count; b++)
         if (mode_fits(mode, &world->balloon[b]))
-            tint(&picture->skin[b], picture->range);
+            picture->changed |= tint(&picture->skin[b], picture->range);
 }
 
 void field_of_elements(PictureSkin* skin, const Body* body, ElementField* element, float* out) {

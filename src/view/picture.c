@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "view/field.h"
@@ -78,16 +79,27 @@ static void bound(Picture* picture, const World* world) {
     ASSERT(isfinite(picture->scene_radius), "a picture is made of finite numbers");
 }
 
+/// No two pictures that differ have the same.
+static long next_stamp(void) {
+    static long stamp;
+    return ++stamp;
+}
+
 void picture_take(Picture* picture, const World* world, const Camera* camera, const Mode* mode) {
+    const int balls = picture->ball_count;
     picture->camera = *camera;
     picture->line_count = picture->ball_count = 0;
+    picture->changed = picture->stamp == 0; // nothing was taken yet
     make_room(picture, world->collide.sphere_count);
 
     for (int b = 0; b < world->balloon_count; b++) {
         PictureSkin* skin = &picture->skin[b];
-        skin->paint = mode_fits(mode, &world->balloon[b]) ? mode->paint : PAINT_RUBBER;
-        skin->selected = b == world->selected;
-        surface_take(skin, &world->balloon[b]);
+        const SkinPaint paint = mode_fits(mode, &world->balloon[b]) ? mode->paint : PAINT_RUBBER;
+        const bool selected = b == world->selected;
+        picture->changed |= paint != skin->paint || selected != skin->selected;
+        skin->paint = paint;
+        skin->selected = selected;
+        picture->changed |= surface_take(skin, &world->balloon[b]);
         rope_take(picture, &world->balloon[b]);
     }
     bound(picture, world);
@@ -98,6 +110,8 @@ void picture_take(Picture* picture, const World* world, const Camera* camera, co
     for (int b = 0; mode->fill && b < world->balloon_count; b++)
         if (mode_fits(mode, &world->balloon[b]))
             mode->fill(picture, &picture->skin[b], &world->balloon[b]);
+    if (picture->changed || picture->ball_count != balls)
+        picture->stamp = next_stamp();
 }
 
 void picture_line(Picture* picture, const float from[3], const float to[3], const float color[3],
@@ -113,11 +127,14 @@ void picture_line(Picture* picture, const float from[3], const float to[3], cons
 
 void picture_ball(Picture* picture, const float center[3], float radius, const float color[3]) {
     ASSERT(picture->ball_count < picture->ball_room, "each mode says how many balls it draws");
-    picture->ball[picture->ball_count++] = (PictureBall){
+    const PictureBall ball = {
         .center = {center[0], center[1], center[2]},
         .radius = radius,
         .color = {color[0], color[1], color[2]},
     };
+    PictureBall* to = &picture->ball[picture->ball_count++];
+    picture->changed |= memcmp(to, &ball, sizeof ball) != 0; // floats only, no gaps
+    *to = ball;
 }
 
 void picture_close(Picture* picture) {

@@ -39,6 +39,7 @@ typedef struct PictureSkin {
     float color[3];   ///< linear colour of the unstretched rubber
     SkinPaint paint;
     bool two_sided; ///< an open skin: its inside is drawn too
+    bool taken;     ///< normals and stretch are those of the positions
     bool selected;  ///< drawn with a soft outline glow
 } PictureSkin;
 
@@ -59,6 +60,8 @@ typedef struct PictureBall {
 
 typedef struct Picture {
     Camera camera;
+    long stamp;   ///< of skins and balls: while it stays the same so do they; 0: unknown
+    bool changed; ///< against the last stamp
     int skin_count;
     PictureSkin* skin; ///< [skin_count]
     int line_count;
@@ -84,6 +87,7 @@ struct Mode;  // view/mode.h
 void picture_open(Picture* picture, const struct World* world);
 
 /// Fill the picture from the world's present state. Balls come after the knots, in their order.
+/// What has not moved since the last time is not computed again.
 void picture_take(Picture* picture, const struct World* world, const Camera* camera,
                   const struct Mode* mode);
 

@@ -36,10 +36,16 @@ float surface_grain(const Balloon* balloon) {
     return (float)(balloon->body.scale * sum / mesh->edge_count);
 }
 
-static void positions(PictureSkin* skin, const real4* x) {
+/// Whether any has moved.
+static bool positions(PictureSkin* skin, const real4* x) {
+    bool moved = false;
     for (int i = 0; i < skin->point_count; i++)
-        for (int k = 0; k < 3; k++)
-            skin->position[i][k] = (float)x[i][k];
+        for (int k = 0; k < 3; k++) {
+            const float now = (float)x[i][k];
+            moved |= skin->position[i][k] != now;
+            skin->position[i][k] = now;
+        }
+    return moved;
 }
 
 /// Twice a face's area vector: the cross product of its diagonals, or of two edges.
@@ -95,13 +101,17 @@ static void edge_stretches(PictureSkin* skin, const Mesh* mesh, const Body* body
     }
 }
 
-void surface_take(PictureSkin* skin, const Balloon* balloon) {
-    positions(skin, balloon->body.x);
+bool surface_take(PictureSkin* skin, const Balloon* balloon) {
+    const bool moved = positions(skin, balloon->body.x);
+    if (!moved && skin->taken)
+        return false;
+    skin->taken = true;
     normals(skin, &balloon->mesh, &balloon->body);
     if (balloon->body.membrane.count > 0)
         field_of_elements(skin, &balloon->body, element_stretch, skin->stretch);
     else
         edge_stretches(skin, &balloon->mesh, &balloon->body);
+    return true;
 }
 
 void surface_close(PictureSkin* skin) {

@@ -10,8 +10,9 @@ void surface_open(PictureSkin* skin, const Balloon* balloon);
 
 /// The present positions; unit normals, the mean of the faces around a point weighted by area;
 /// stretch, the mean over the edges at a point of length over rest length, or of rubber over its
-/// elements at a point of the larger principal stretch.
-void surface_take(PictureSkin* skin, const Balloon* balloon);
+/// elements at a point of the larger principal stretch. False where nothing has moved since the
+/// last time, and nothing is computed.
+bool surface_take(PictureSkin* skin, const Balloon* balloon);
 
 /// Mean length of an edge at rest, in world units: the measure of what is drawn on a skin.
 float surface_grain(const Balloon* balloon);

@@ -129,6 +129,31 @@ static void a_balloon_covers_what_its_radius_says(void** state) {
     }
 }
 
+static void same_bytes(void) {
+    assert_memory_equal(pixels, others, sizeof pixels);
+}
+
+static void other_bytes(void) {
+    assert_memory_not_equal(pixels, others, sizeof pixels);
+}
+
+/// What the stamp spares is not seen: from elsewhere and back, and with another stamp.
+static void a_stamp_changes_nothing_of_what_is_drawn(void** state) {
+    (void)state;
+    draw(others);
+    studio.picture.stamp = 1;
+    const float turns[] = {0, 0, 0.5f, 0};
+    for (int k = 0; k < 4; k++) {
+        studio.picture.camera.yaw = turns[k];
+        draw(pixels);
+        (turns[k] == 0 ? same_bytes : other_bytes)();
+    }
+    blow_up(0.3f, 1);
+    studio.picture.stamp = 2;
+    draw(pixels);
+    other_bytes();
+}
+
 static void the_same_picture_gives_the_same_bytes(void** state) {
     (void)state;
     draw(pixels);
@@ -372,6 +397,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(a_balloon_is_in_the_middle_of_a_pale_studio, set_up),
         cmocka_unit_test_setup(a_balloon_covers_what_its_radius_says, set_up),
+        cmocka_unit_test_setup(a_stamp_changes_nothing_of_what_is_drawn, set_up),
         cmocka_unit_test_setup(the_same_picture_gives_the_same_bytes, set_up),
         cmocka_unit_test_setup(a_size_drawn_before_another_leaves_no_trace, set_up),
         cmocka_unit_test_setup(stretched_rubber_is_paler, set_up),

@@ -400,6 +400,43 @@ static void a_ball_widens_the_scene_unless_it_has_flown_away(void** state) {
     studio_close(&studio);
 }
 
+static long stamp_after(Studio* studio, const Mode* mode) {
+    picture_take(&studio->picture, &studio->world, &studio->camera, mode);
+    return studio->picture.stamp;
+}
+
+/// The renderer hands on what has a new stamp, and nothing else.
+static void a_picture_has_a_new_stamp_when_it_is_another(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    long last = studio.picture.stamp;
+    assert_true(last > 0);
+    assert_int_equal(stamp_after(&studio, &mode_skin), last);
+    camera_orbit(&studio.camera, 0.1F, 0); // the eye is the renderer's business
+    assert_int_equal(stamp_after(&studio, &mode_skin), last);
+
+    world_step(&studio.world);
+    assert_true(stamp_after(&studio, &mode_skin) > last);
+    last = studio.picture.stamp;
+    studio.world.selected = 0;
+    assert_true(stamp_after(&studio, &mode_skin) > last);
+    last = studio.picture.stamp;
+    assert_true(stamp_after(&studio, &mode_stretch) > last);
+    last = studio.picture.stamp;
+    assert_int_equal(stamp_after(&studio, &mode_stretch), last);
+    const Sphere ball = {.x = {0, 3, 0}, .radius = 1, .mass = 1};
+    collide_add(&studio.world.collide, &ball);
+    assert_true(stamp_after(&studio, &mode_stretch) > last);
+    last = studio.picture.stamp;
+    studio.world.collide.sphere[0].x[1] = 4;
+    assert_true(stamp_after(&studio, &mode_stretch) > last);
+    last = studio.picture.stamp;
+    collide_clear(&studio.world.collide);
+    assert_true(stamp_after(&studio, &mode_stretch) > last);
+    studio_close(&studio);
+}
+
 static void the_scenes_camera_stands_where_it_says(void** state) {
     (void)state;
     Studio studio;
@@ -517,6 +554,7 @@ int main(void) {
         cmocka_unit_test(the_scene_lies_within_its_radius),
         cmocka_unit_test(every_ball_is_drawn_in_every_mode),
         cmocka_unit_test(a_ball_widens_the_scene_unless_it_has_flown_away),
+        cmocka_unit_test(a_picture_has_a_new_stamp_when_it_is_another),
         cmocka_unit_test(the_scenes_camera_stands_where_it_says),
         cmocka_unit_test(the_scale_of_colours_grows_brighter),
         cmocka_unit_test(mode_names_are_found_and_walked_round),
