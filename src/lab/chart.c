@@ -42,7 +42,7 @@ const char* chart_machine(void) {
 }
 
 bool chart_run(const ChartOptions* options, Fault* fault) {
-    ChartPlan plan;
+    ChartPlan plan = {0};
     const bool good = plot_folder(options->out, fault) && chart_plan(&plan, options, fault) &&
                       chart_measure(&plan, fault) && chart_write(&plan, options->out, fault) &&
                       chart_draw(&plan, options->out, fault);
