@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "body/springs.h"
 #include "lab/chart.h"
 #include "lab/plot.h"
 #include "mesh/mesh.h"
@@ -26,14 +27,15 @@ static const char* color_of(const char* method) {
     return color_table[0];
 }
 
-/// gnuplot's filled circle for membranes, square for springs, triangle for the peer; hollow in
-/// float.
+/// gnuplot's filled circle for membranes, another shape for each law of springs, triangle for the
+/// peer; hollow in float.
 static int shape_of(const ChartPoint* point, bool hollow) {
-    const int circle = 7, square = 5, triangle = 9;
-    return (chart_is_peer(point)                  ? triangle
-            : strcmp(point->skin, "springs") == 0 ? square
-                                                  : circle) -
-           hollow;
+    static const int springs[SPRING_LAWS] = {5, 13, 11}; // square, diamond, triangle upside down
+    int shape = chart_is_peer(point) ? 9 : 7;
+    for (int law = 0; law < SPRING_LAWS; law++)
+        if (strcmp(point->skin, "springs") == 0 && strcmp(point->law, spring_law_name[law]) == 0)
+            shape = springs[law];
+    return shape - hollow;
 }
 
 static bool is_drawn(const ChartPlan* plan, int from, int p) {
