@@ -67,7 +67,7 @@ static const Option option_table[] = {
     {"--csv",       "FILE",     "numbers, one row a frame; - for standard output", TEXT(csv)},
     {"--obj",       "FILE",     "the skins at the end",                            TEXT(obj)},
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
-    {"--time",      NULL,       "print the CPU time of stepping alone",            FLAG(time)},
+    {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages",           FLAG(time)},
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
     {"--quick",     NULL,       "bench, chart, stability: a thinned measurement",  FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is",                     FLAG(all)},
@@ -131,6 +131,7 @@ static bool show_options(const Options* options, const World* world, ShowOptions
     show->record = options->record;
     show->mode = options->mode;
     show->quiet = options->quiet;
+    show->time = options->time;
     show->overlay = options->overlay;
     if (options->size &&
         (sscanf(options->size, "%dx%d", &show->width, &show->height) != 2 || show->width < 16 ||

@@ -6,6 +6,7 @@
 #include "show/pacer.h"
 #include "show/session.h"
 #include "show/show.h"
+#include "show/stages.h"
 #include "view/hand.h"
 #include "view/mode.h"
 #include "view/panel.h"
@@ -31,6 +32,7 @@ typedef struct App {
     Renderer* renderer;
     int width;       ///< of the renderer's picture [px]
     int height;      ///< [px]
+    Stages stages;   ///< where the time goes
     float scale;     ///< of the overlay that is open; 0: none
     bool screenshot; ///< the next picture is to be written
     bool quit;

@@ -71,7 +71,9 @@ static bool fit(App* app, const Input* input, Fault* fault) {
 
 static void draw(App* app, double frame_ms) {
     picture_take(&app->picture, app->world, &app->camera, app->mode);
+    stages_end(&app->stages, STAGE_PICTURE);
     renderer_draw(app->renderer, &app->picture);
+    stages_drawn(&app->stages, renderer_times(app->renderer));
 
     const Status status = {
         .mode = app->mode,
@@ -84,21 +86,27 @@ static void draw(App* app, double frame_ms) {
     status_take(&app->panel, app->world, &app->picture, &status);
     renderer_bind_resolved(app->renderer);
     hud_draw(&app->panel, app->width, app->height);
+    stages_end(&app->stages, STAGE_OVERLAY);
 }
 
 bool app_run(App* app, Fault* fault) {
     Input input;
     while (!app->quit && app->world->clock < app->last &&
            app->output.next(app->output.self, &input)) {
+        stages_begin(&app->stages);
         if (!hear(app, &input, fault) || !advance(app, input.elapsed, fault) ||
             !fit(app, &input, fault))
             return false;
+        stages_end(&app->stages, STAGE_STEPS);
 
         draw(app, input.frame_ms);
         if (!app->output.present(app->output.self, app->renderer, fault))
             return false;
+        stages_end(&app->stages, STAGE_PRESENT);
         if (app->screenshot)
             app_screenshot(app);
     }
+    if (app->options->time)
+        stages_print(&app->stages);
     return true;
 }

@@ -18,6 +18,7 @@ typedef struct ShowOptions {
                         ///< to other scenes, their logs are record.2, record.3, …
     const char* mode;   ///< display mode; NULL: what the scene says
     const char* screenshots; ///< folder for screenshots; NULL: where the user is
+    bool time;               ///< print the mean time of a frame's stages in the end
     bool quiet;              ///< no progress and notices on stderr
     bool overlay;            ///< status box and sentences are drawn; a bad state is always said
 } ShowOptions;

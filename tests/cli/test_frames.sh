@@ -69,4 +69,10 @@ for golden in tests/golden/*.png; do
     ok "$name looks as it did ($off)" less "$off" 0.01
 done
 
+# --- the stages of a frame are said
+"$balloon" render "$scene" --out "$scratch/timed" --seconds 0.1 --fps 20 --size 320x180 --quiet --time >"$scratch/stages"
+ok "all stages of 3 frames are said" grep -qE \
+    "^3 frames; of a frame \[ms\]: steps [0-9.]+ picture [0-9.]+ upload .* shadow .* scene .* resolve .* overlay .* present .*; in all" \
+    "$scratch/stages"
+
 finish
