@@ -3,6 +3,9 @@
 /// within 300 frames, p0 V0/V without the atmosphere. Once with what the paper spends on a step,
 /// three Newton iterations with conjugate gradients to 1e-3, once with the step's equation solved
 /// to 1e-6. Source: the thin-shell balloon paper, Table 1, on one core of an i7 of 3.4 GHz.
+///
+/// p0 all at once on a skin at rest is a blow that buckles a skin with folds for good, so the gas
+/// begins at nothing and rises to its start in as many frames, which are made but not counted.
 #include <stdio.h>
 #include <time.h>
 
@@ -31,11 +34,11 @@ enum {
     ROWS = sizeof row_table / sizeof *row_table,
     EFFORTS = sizeof effort_table / sizeof *effort_table,
     FRAMES = 300,
-    FRAMES_QUICK = 30,
-    SETS = 2
+    FRAMES_QUICK = 60,
+    SETS = 4
 };
 
-/// What the frames of one model added up to.
+/// What the counted frames of one model added up to.
 typedef struct Sum {
     int frames; ///< up to where a step was not solved
     double seconds;
@@ -57,6 +60,8 @@ static double farther(double a, double b) {
 static void play(World* world, int frames, Sum* sum) {
     const Balloon* balloon = &world->balloon[0];
     *sum = (Sum){.volume = 1, .worst = 1};
+    for (int frame = 0; frame < frames; frame++)
+        world_step(world);
     for (; sum->frames < frames && !world->blowup.halted; sum->frames++) {
         const double start = now();
         world_step(world);
@@ -70,9 +75,11 @@ static void play(World* world, int frames, Sum* sum) {
 }
 
 static bool run_row(int row, int effort, int frames, Fault* fault) {
-    char model[64];
+    char model[64], fill[96];
     snprintf(model, sizeof model, "balloons.0.model=%s", row_table[row].model);
-    const SceneSet set[SETS] = {{model}, {effort_table[effort].solver}};
+    snprintf(fill, sizeof fill, "balloons.0.inflation.fill={to: 2, seconds: %.17g}", frames / 30.0);
+    const SceneSet set[SETS] = {
+        {model}, {effort_table[effort].solver}, {"balloons.0.inflation.amount=0"}, {fill}};
     WorldDef def;
     World world;
     if (!scene_load("teddy", set, SETS, &def, fault) || !world_open(&world, &def, fault))
