@@ -14,100 +14,101 @@ void preserve_open(Preserve* preserve, const Body* body) {
     const Membrane* membrane = &body->membrane;
     if (membrane->count == 0 || membrane->rubber.rule == VOLUME_LOCAL)
         return;
-    preserve->x = new_array(double4, body->count);
-    preserve->gradient = new_array(double4, body->count);
-    preserve->weight = new_array(double, body->count);
+    preserve->moved = new_array(real4, body->count);
+    preserve->gradient = new_array(real4, body->count);
+    preserve->weight = new_array(real, body->count);
+    preserve->share = new_array(double, membrane->count);
     preserve->thickness = new_array(double, membrane->count);
 
     // half of the mass stays with the particles, half goes to the virtual vertices
-    membrane_add_mass(membrane, preserve->weight);
+    double* mass = new_array(double, body->count);
+    membrane_add_mass(membrane, mass);
     for (int i = 0; i < body->count; i++)
-        preserve->weight[i] = body->inverse_mass[i] > 0 ? 2 / preserve->weight[i] : 0;
-}
-
-/// An element on the way: its corners, twice its area vector, and h n.
-typedef struct Prism {
-    const int* corner;
-    double4 ab, ac, normal, up;
-    double share;
-} Prism;
-
-static Prism prism_of(const Membrane* membrane, const Preserve* preserve, int e) {
-    const int* c = membrane->corner[e];
-    Prism prism = {.corner = c, .share = membrane_share(membrane, e)};
-    prism.ab = preserve->x[c[1]] - preserve->x[c[0]];
-    prism.ac = preserve->x[c[2]] - preserve->x[c[0]];
-    prism.normal = dcross(prism.ab, prism.ac);
-    prism.up = preserve->thickness[e] / dlength(prism.normal) * prism.normal;
-    return prism;
+        preserve->weight[i] = body->inverse_mass[i] > 0 ? (real)(2 / mass[i]) : 0;
+    free(mass);
+    for (int e = 0; e < membrane->count; e++)
+        preserve->share[e] = membrane_share(membrane, e);
 }
 
 /// Weight of the virtual vertex: half of the element's rubber.
-static double virtual_weight(const Membrane* membrane, int e) {
-    return 2 / (membrane->rubber.density * (double)membrane->rest[e][3]);
+static inline real virtual_weight(const Membrane* membrane, int e) {
+    return 2 / ((real)membrane->rubber.density * membrane->rest[e][3]);
+}
+
+/// An edge now: what is moved may be far below the last bit of a position.
+static inline real4 edge(const Preserve* preserve, const real4* x, int from, int to) {
+    return (x[to] - x[from]) + (preserve->moved[to] - preserve->moved[from]);
 }
 
 /// C, its gradient by the particles, and the sum of w |dC|^2.
-static double constraint(const Membrane* membrane, Preserve* preserve, int count, double* sum) {
+static double constraint(const Membrane* membrane, Preserve* preserve, const real4* restrict x,
+                         int count, double* sum) {
+    real4* restrict gradient = preserve->gradient;
     double volume = 0;
     *sum = 0;
-    memset(preserve->gradient, 0, (size_t)count * sizeof *preserve->gradient);
+    memset(gradient, 0, (size_t)count * sizeof *gradient);
     for (int e = 0; e < membrane->count; e++) {
-        const Prism p = prism_of(membrane, preserve, e);
-        volume += p.share * ddot(p.up, p.normal) / 2;
-        const double4 by_b = p.share / 2 * dcross(p.ac, p.up);
-        const double4 by_c = p.share / 2 * dcross(p.up, p.ab);
-        const double4 by_middle = p.share / 6 * p.normal; // c moves under x4
-        preserve->gradient[p.corner[0]] -= by_b + by_c + by_middle;
-        preserve->gradient[p.corner[1]] += by_b - by_middle;
-        preserve->gradient[p.corner[2]] += by_c - by_middle;
-        *sum += virtual_weight(membrane, e) * p.share * p.share * ddot(p.normal, p.normal) / 4;
+        const int* c = membrane->corner[e];
+        const real4 ab = edge(preserve, x, c[0], c[1]), ac = edge(preserve, x, c[0], c[2]);
+        const real4 normal = cross(ab, ac);
+        const real twice = length(normal), half = (real)preserve->share[e] / 2;
+        volume += preserve->share[e] / 2 * preserve->thickness[e] * (double)twice;
+        const real4 up = half * (real)preserve->thickness[e] / twice * normal;
+        const real4 by_b = cross(ac, up), by_c = cross(up, ab);
+        const real4 by_middle = half / 3 * normal; // c moves under x4
+        gradient[c[0]] -= by_b + by_c + by_middle;
+        gradient[c[1]] += by_b - by_middle;
+        gradient[c[2]] += by_c - by_middle;
+        *sum += (double)(virtual_weight(membrane, e) * half * half * twice * twice);
     }
     for (int i = 0; i < count; i++)
-        *sum += preserve->weight[i] * ddot(preserve->gradient[i], preserve->gradient[i]);
+        *sum += (double)(preserve->weight[i] * dot(gradient[i], gradient[i]));
     return volume - membrane->volume;
 }
 
-/// Move everything by lambda times weight times gradient, and read the thickness off.
-static void move(const Membrane* membrane, Preserve* preserve, int count, double lambda) {
-    // x4 as seen from the first corner, before that corner moves
+/// Move everything by lambda times weight times gradient, and read the thickness off: with n the
+/// normal before, n + m after, what x4 rose over the middle is, without what cancels,
+///
+///     (x4 - x_a) . (n + m)^ - h = ((e12 + e13)/3 . m - dx_a . (n + m)) / |n + m|
+///                                 + dx4 (n . (n + m)) / |n + m| + h (cos - 1)
+static void move(const Membrane* membrane, Preserve* preserve, const real4* restrict x, int count,
+                 real lambda) {
+    real4* restrict way = preserve->gradient;
+    for (int i = 0; i < count; i++)
+        way[i] *= lambda * preserve->weight[i];
     for (int e = 0; e < membrane->count; e++) {
-        const Prism p = prism_of(membrane, preserve, e);
-        const double4 by_top = p.share / 2 * p.normal;
-        const double4 top =
-            (p.ab + p.ac) / 3 + p.up + lambda * virtual_weight(membrane, e) * by_top;
-        double4 corner[3];
-        for (int k = 0; k < 3; k++) {
-            const int i = p.corner[k];
-            corner[k] = preserve->x[i] + lambda * preserve->weight[i] * preserve->gradient[i];
-        }
-        const double4 normal = dcross(corner[1] - corner[0], corner[2] - corner[0]);
-        const double4 from_corner = preserve->x[p.corner[0]] + top - corner[0];
-        preserve->thickness[e] = ddot(from_corner, normal) / dlength(normal);
+        const int* c = membrane->corner[e];
+        const real4 ab = edge(preserve, x, c[0], c[1]), ac = edge(preserve, x, c[0], c[2]);
+        const real4 db = way[c[1]] - way[c[0]], dc = way[c[2]] - way[c[0]];
+        const real4 before = cross(ab, ac), turn = cross(ab, dc) + cross(db, ac + dc);
+        const real4 after = before + turn, across = cross(before, turn);
+        const real square = dot(after, after);
+        const real sine = dot(across, across) / (dot(before, before) * square); // squared
+        const real top = lambda * virtual_weight(membrane, e) * (real)preserve->share[e] / 2;
+        const real rise = dot(ab + ac, turn) / 3 - dot(way[c[0]], after) + top * dot(before, after);
+        preserve->thickness[e] +=
+            (double)(rise / real_sqrt(square)) -
+            preserve->thickness[e] * (double)(sine / (1 + real_sqrt(1 - sine)));
     }
     for (int i = 0; i < count; i++)
-        preserve->x[i] += lambda * preserve->weight[i] * preserve->gradient[i];
+        preserve->moved[i] += way[i];
 }
 
 static void preserve_sum(Preserve* preserve, Body* body, double h) {
     Membrane* membrane = &body->membrane;
-    for (int i = 0; i < body->count; i++)
-        preserve->x[i] = to_double4(body->x[i]);
+    memset(preserve->moved, 0, (size_t)body->count * sizeof *preserve->moved);
     for (int e = 0; e < membrane->count; e++)
         preserve->thickness[e] = (double)membrane->thickness[e];
-
     for (preserve->passes = 0; preserve->passes < PASSES_MOST; preserve->passes++) {
         double sum;
-        const double c = constraint(membrane, preserve, body->count, &sum);
+        const double c = constraint(membrane, preserve, body->x, body->count, &sum);
         if (!(fabs(c) > enough * membrane->volume))
             break;
-        move(membrane, preserve, body->count, -c / sum);
+        move(membrane, preserve, body->x, body->count, (real)(-c / sum));
     }
-
     for (int i = 0; i < body->count; i++) {
-        const real4 x = to_real4(preserve->x[i]);
-        body->v[i] += (x - body->x[i]) / (real)h;
-        body->x[i] = x;
+        body->v[i] += preserve->moved[i] / (real)h;
+        body->x[i] += preserve->moved[i];
     }
     for (int e = 0; e < membrane->count; e++)
         membrane->thickness[e] = (real)preserve->thickness[e];
@@ -125,9 +126,10 @@ void preserve_volume(Preserve* preserve, Body* body, double h) {
 }
 
 void preserve_close(Preserve* preserve) {
-    free(preserve->x);
+    free(preserve->moved);
     free(preserve->gradient);
     free(preserve->weight);
+    free(preserve->share);
     free(preserve->thickness);
     *preserve = (Preserve){0};
 }

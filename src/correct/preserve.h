@@ -10,18 +10,17 @@
 ///         -C w dC / sum of w |dC|^2, and passes follow until |C| < 1e-12 of the rubber; then
 ///         h = (x4 - c) . n, and v = (x - x_old) / h. Eq. 27 as printed leaves a fifth of the error
 ///         each pass. Single elements drift: membrane_volume_ratio says how far.
-///
-/// All in double; what is stored is rounded to the state's precision.
 #ifndef BALLOON_CORRECT_PRESERVE_H
 #define BALLOON_CORRECT_PRESERVE_H
 
 #include "body/body.h"
 
 typedef struct Preserve {
-    double4* x;        ///< [count] positions on the way; NULL where the rule is local
-    double4* gradient; ///< [count] dC/dx
-    double* weight;    ///< [count] 1/m'
-    double* thickness; ///< [elements] on the way
+    real4* moved;      ///< [count] on the way [m]; NULL where the rule is local
+    real4* gradient;   ///< [count] dC/dx [m^2], then where each goes in a pass [m]
+    real* weight;      ///< [count] 1/m' [1/kg]
+    double* share;     ///< [elements] membrane_share
+    double* thickness; ///< [elements] on the way [m]
     int passes;        ///< that the last step took
 } Preserve;
 
