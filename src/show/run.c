@@ -55,7 +55,7 @@ static bool write_skins(const World* world, const char* path, Fault* fault) {
 
 /// Step at which the scene says what it is about, after `from` and not after `until`, or `until`.
 static long next_about(const World* world, long from, long until) {
-    for (unsigned k = 0; k < world->def.about_count; k++) {
+    for (unsigned k = 0; k < scene_outputs(&world->def); k++) {
         const long at = pacer_steps(world->def.about[k].at, world->step);
         if (at > from && at < until)
             until = at;
@@ -69,7 +69,7 @@ static long next_about(const World* world, long from, long until) {
 }
 
 static void print_about(const World* world) {
-    for (unsigned k = 0; k < world->def.about_count; k++) {
+    for (unsigned k = 0; k < scene_outputs(&world->def); k++) {
         const AboutDef* about = &world->def.about[k];
         double value;
         if (pacer_steps(about->at, world->step) == world->clock &&

@@ -180,12 +180,20 @@ typedef struct SolverDef {
     bool paper_tangent; ///< the gas's stiffness is the thin-shell paper's, a third of the right one
 } SolverDef;
 
-/// `about:` what the scene is about, so that one can say what it may leave out.
+/// `about:` what the scene is about, so that one can say what it may leave out: outputs, or one
+/// item `none:` that says why nothing of it can be held to a number.
 typedef struct AboutDef {
-    char* output;     ///< a CSV column, required
-    double at;        ///< [s] required
-    double tolerance; ///< relative, required
+    char* output;     ///< a CSV column
+    double at;        ///< [s]
+    double tolerance; ///< relative, of the output's size; required with it
+    char* none;       ///< the reason, and then there is nothing else
 } AboutDef;
+
+/// `because:` why a part stays that the scene's outputs do not need (lab/needs.h).
+typedef struct BecauseDef {
+    char* part;   ///< a part's name in `balloon needs`, required
+    char* reason; ///< required
+} BecauseDef;
 
 /// `fails:` what goes wrong in a scene of the museum of failures, and what cures it: the state goes
 /// bad and is caught, or a measured number is on the wrong side of a limit. Tests hold every scene
@@ -223,6 +231,8 @@ typedef struct WorldDef {
     CameraDef* camera;
     AboutDef* about;
     unsigned about_count;
+    BecauseDef* because;
+    unsigned because_count;
     FailsDef* fails;    ///< NULL: it does not
     ContactLaw contact; ///< what balls and skins do to each other
     SphereDef* spheres;
@@ -240,7 +250,8 @@ typedef struct WorldDef {
 
 /// One `--set KEY=VALUE`: any key of the scene by its path, and its new value in YAML, as in
 /// "balloons.0.inflation.amount=10" or "balloons.0.color=[1, 0, 0]".
-/// A path may name a key that the scene does not have yet; list items must exist.
+/// A path may name a key that the scene does not have yet; list items must exist. The value ~ takes
+/// the key out of the scene.
 typedef struct SceneSet {
     const char* text; ///< "KEY=VALUE" as typed
 } SceneSet;
@@ -261,6 +272,11 @@ int scene_list(char*** path);
 
 /// The name by which scene_load finds a shipped scene: "party", "fails/stiff".
 void scene_name(const char* path, char name[256]);
+
+/// The outputs that the scene is about, def->about[0 … count); 0 where it is about none.
+static inline unsigned scene_outputs(const WorldDef* def) {
+    return def->about_count > 0 && def->about[0].none ? 0 : def->about_count;
+}
 
 /// Downward, from the scene or its units [m/s^2].
 static inline double scene_gravity(const WorldDef* def) {

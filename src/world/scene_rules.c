@@ -205,6 +205,23 @@ static bool fails_in_no_way(const FailsDef* fails) {
                                   : !fails->output || !fails->above == !fails->below);
 }
 
+/// Outputs with their tolerances, or one reason for none.
+static bool about_says(const WorldDef* def, const SceneTree* tree, Fault* fault) {
+    for (unsigned k = 0; k < def->about_count; k++) {
+        const AboutDef* about = &def->about[k];
+        char path[64];
+        snprintf(path, sizeof path, "about.%u", k);
+        const bool none = about->none && !about->output && def->about_count == 1;
+        const bool output = !about->none && about->output && about->tolerance > 0;
+        if (!none && !output)
+            return tree_fault(
+                tree, tree_find(tree, path), fault,
+                "a scene is about outputs, each as in {output: balloon0.volume, at: 5, "
+                "tolerance: 0.02}, or about [{none: the reason}]");
+    }
+    return true;
+}
+
 bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
     if (def->method && !method_find(def->method))
         return tree_fault(tree, tree_find(tree, "method"), fault, "no method '%s'; there are %s",
@@ -226,5 +243,5 @@ bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
     for (unsigned i = 0; i < def->balloons_count; i++)
         if (!names_are_known(def, i, tree, fault) || !balloon_rules_hold(def, i, tree, fault))
             return false;
-    return pipes_join(def, tree, fault);
+    return pipes_join(def, tree, fault) && about_says(def, tree, fault);
 }

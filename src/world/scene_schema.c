@@ -184,12 +184,20 @@ static const cyaml_schema_field_t solver_field[] = {
 };
 
 static const cyaml_schema_field_t about_field[] = {
-    TEXT(output, MUST, AboutDef, WORD_MOST),
-    NUMBER(at, MUST, AboutDef),
-    NUMBER(tolerance, MUST, AboutDef),
+    TEXT(output, MAY, AboutDef, WORD_MOST),
+    NUMBER(at, MAY, AboutDef),
+    NUMBER(tolerance, MAY, AboutDef),
+    TEXT(none, MAY, AboutDef, TEXT_MOST),
     CYAML_FIELD_END,
 };
 static const cyaml_schema_value_t about = {CYAML_VALUE_MAPPING(MUST, AboutDef, about_field)};
+
+static const cyaml_schema_field_t because_field[] = {
+    TEXT(part, MUST, BecauseDef, WORD_MOST),
+    TEXT(reason, MUST, BecauseDef, TEXT_MOST),
+    CYAML_FIELD_END,
+};
+static const cyaml_schema_value_t because = {CYAML_VALUE_MAPPING(MUST, BecauseDef, because_field)};
 
 static const cyaml_schema_value_t words = {
     CYAML_VALUE_STRING(CYAML_FLAG_POINTER, char*, 1, TEXT_MOST)};
@@ -226,6 +234,7 @@ static const cyaml_schema_field_t world_field[] = {
     NUMBER(seconds, MAY, WorldDef),
     GROUP_OR_NULL(camera, WorldDef, camera_field),
     GROUPS(about, MAY, WorldDef, &about, 0),
+    GROUPS(because, MAY, WorldDef, &because, 0),
     GROUP_OR_NULL(fails, WorldDef, fails_field),
     NAME(contact, MAY, WorldDef, contact_law_word),
     GROUPS(spheres, MAY, WorldDef, &sphere, 0),

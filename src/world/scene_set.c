@@ -111,6 +111,39 @@ static bool may_add(const Put* put, int parent, const char* part, size_t length)
     return true;
 }
 
+static void take_out(const Put* put, int mapping, const int* slot) {
+    yaml_node_t* node = put->tree->document.nodes.start + mapping - 1;
+    yaml_node_pair_t* pair = node->data.mapping.pairs.start;
+    while (&pair->value != slot)
+        pair++;
+    for (; pair + 1 < node->data.mapping.pairs.top; pair++)
+        *pair = pair[1];
+    node->data.mapping.pairs.top--;
+}
+
+/// Take the key at the path out; one that is not there stays away.
+static bool remove_node(const Put* put) {
+    int parent = TREE_ROOT;
+    for (const char* part = put->path;;) {
+        const size_t length = strcspn(part, ".");
+        int* slot = tree_slot(put->tree, parent, part, length);
+        if (!slot)
+            return true;
+        if (part[length] == '\0') {
+            if (tree_node(put->tree, parent)->type == YAML_SEQUENCE_NODE)
+                return fault_set(put->fault, put->place,
+                                 "items of a list stay; give all of it, as in %.*s=[…]",
+                                 (int)(part - put->path) - 1, put->path);
+            take_out(put, parent, slot);
+            return true;
+        }
+        const int child = unshare(put, *slot);
+        *tree_slot(put->tree, parent, part, length) = child;
+        parent = child;
+        part += length + 1;
+    }
+}
+
 static bool put_node(const Put* put, int value) {
     int parent = TREE_ROOT;
     for (const char* part = put->path;;) {
@@ -164,6 +197,8 @@ bool tree_set(SceneTree* tree, int index, Fault* fault) {
                      .path = path,
                      .mark = {.line = TREE_SET_LINE + (size_t)index},
                      .fault = fault};
+    if (strcmp(equals + 1, "~") == 0)
+        return remove_node(&put);
     const int value = make_value(&put, equals + 1);
     return value && put_node(&put, value);
 }

@@ -27,6 +27,21 @@ static void an_override_makes_the_keys_that_are_absent(void** state) {
     scene_free(&def);
 }
 
+static void an_override_takes_a_key_out(void** state) {
+    (void)state;
+    const char* const set[] = {"floor=~", "balloons.0.strings=~", "balloons.0.helium.nothing=~",
+                               NULL};
+    WorldDef def;
+    must_load(full, NULL, &def);
+    assert_true(def.floor && def.balloons->strings_count > 0);
+    scene_free(&def);
+    must_load(full, set, &def);
+    assert_true(!def.floor && def.balloons->strings_count == 0 && def.balloons->helium);
+    scene_free(&def);
+    const char* const item[] = {"balloons.0.strings.0=~", NULL};
+    must_refuse(full, item, "--set balloons.0.strings.0=~", "items of a list stay");
+}
+
 static void the_last_of_two_overrides_holds(void** state) {
     (void)state;
     const char* const set[] = {"step=0.5", "step=0.25", NULL};
@@ -89,6 +104,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_override_changes_what_the_file_says),
         cmocka_unit_test(an_override_makes_the_keys_that_are_absent),
+        cmocka_unit_test(an_override_takes_a_key_out),
         cmocka_unit_test(the_last_of_two_overrides_holds),
         cmocka_unit_test(an_override_mends_what_is_wrong_in_the_file),
         cmocka_unit_test(a_fault_of_the_file_keeps_its_line_under_overrides),
