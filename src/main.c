@@ -7,6 +7,7 @@
 #include "force/force.h"
 #include "lab/bench.h"
 #include "lab/chart.h"
+#include "lab/needs.h"
 #include "lab/peer_run.h"
 #include "lab/stability.h"
 #include "mesh/load.h"
@@ -69,8 +70,8 @@ static const Option option_table[] = {
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages",           FLAG(time)},
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
-    {"--quick",     NULL,       "bench, chart, stability: a thinned measurement",  FLAG(quick)},
-    {"--all",       NULL,       "chart: every point there is",                     FLAG(all)},
+    {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement",  FLAG(quick)},
+    {"--all",       NULL,       "chart: every point there is; needs: every scene",                    FLAG(all)},
     {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", TEXT(fit)},
     {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
     {"--step",      "S",        "length of a step [s]",                            .key = "step"},
@@ -284,6 +285,19 @@ static bool verb_chart(const Options* options, Fault* fault) {
     return chart_run(&chart, fault);
 }
 
+/// Without a scene: what each is about, or with --all what each needs.
+static bool verb_needs(const Options* options, Fault* fault) {
+    const NeedsOptions needs = {.scene = options->target,
+                                .out = options->out,
+                                .set = options->set,
+                                .set_count = options->set_count,
+                                .quick = options->quick};
+    if (options->target || options->all)
+        return needs_run(&needs, fault);
+    needs_list();
+    return true;
+}
+
 /// A scene of failures is told from the others by how it fails.
 static void list_scenes(char** path, int count, bool failures) {
     for (int k = 0; k < count; k++) {
@@ -348,6 +362,7 @@ static const Verb verb_table[] = {
     {"bench",  "[CASE]",       "measure: all cases, or one",                      verb_bench},
     {"chart",  "[SCENE]",      "speed against accuracy: all scenes, or one",       verb_chart},
     {"stability", "",         "where each method fails: maps and limits, to --out",  verb_stability},
+    {"needs",  "[SCENE]",      "what the scene could do without; all: --all", verb_needs},
     {"list",   "",             "scenes, shapes, forces, methods, display modes",   verb_list},
 };
 enum { VERBS = sizeof verb_table / sizeof *verb_table };

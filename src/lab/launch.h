@@ -7,7 +7,7 @@
 
 #include "base/fault.h"
 
-enum { LAUNCH_WORDS = 32 }; ///< of a command line, at most
+enum { LAUNCH_WORDS = 96 }; ///< of a command line, at most
 
 typedef struct Launch {
     char* word[LAUNCH_WORDS + 1]; ///< program and arguments, then NULL; owned

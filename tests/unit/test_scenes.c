@@ -37,6 +37,26 @@ static void every_scene_runs_and_stays_finite(void** state) {
     free(path);
 }
 
+/// Each says what it is about, outputs that it has, or why it is about none; failures are.
+static void every_scene_is_about_something(void** state) {
+    (void)state;
+    char** path;
+    const int count = scene_list(&path);
+    for (int k = 0; k < count; k++) {
+        World world;
+        WORLD_OF(&world, path[k]);
+        if (world.def.about_count == 0 || (world.def.fails && scene_outputs(&world.def) > 0))
+            fail_msg("%s must say what it is about", path[k]);
+        for (unsigned n = 0; n < scene_outputs(&world.def); n++) {
+            probe(&world, world.def.about[n].output);
+            assert_less(world.def.about[n].at, 1.0001 * fmax(10, world.def.seconds));
+        }
+        world_close(&world);
+        free(path[k]);
+    }
+    free(path);
+}
+
 /// A scene whose balloons start at rest and unstretched has no elastic energy, and no velocity.
 static void every_scene_starts_at_rest(void** state) {
     (void)state;
@@ -165,6 +185,7 @@ static void loaded_numbers_name_the_model_s_vertices(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_scene_runs_and_stays_finite),
+        cmocka_unit_test(every_scene_is_about_something),
         cmocka_unit_test(every_scene_starts_at_rest),
         cmocka_unit_test(tied_squirrel_turns_upside_down),
         cmocka_unit_test(bowl_becomes_a_ball),

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# What scenes need: what is planted is found, and no shipped scene models more than it needs.
+set -u
+cd "$(dirname "$0")/../.."
+build=$(realpath "${1:-build}")
+. tests/say.sh
+balloon=$build/balloon
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
+
+# unneeded FILE: the parts that needs.csv has as unneeded without a reason
+unneeded() { awk -F, 'NR > 1 && $6 == 0 && $7 == "\"\"" { print $2 }' "$1" | sort | paste -sd' '; }
+
+# --- four parts are planted: torsion that holds nothing, double, a fine mesh, a correction that no
+# spring is stretched enough for
+cat >"$scratch/planted.yaml" <<'YAML'
+units: paper
+step: 0.005
+gravity: 0
+precision: double
+about: [{output: balloon0.volume, at: 1.5, tolerance: 0.01}]
+balloons:
+  - model: cube-sphere:8
+    skin: {springs: {structural: 50, shear: 10, flexion: 10, torsion: 1e-5, law: hooke}}
+    mass: {per_particle: 0.001}
+    inflation: {law: area, amount: 6}
+    correction: {structural: 1}
+    damping: {coefficient: 0.004}
+YAML
+ok "what is planted is said" refuses 1 "unneeded without a reason: torsion, correction, mesh, precision$" \
+    "$balloon" needs "$scratch/planted.yaml" --quick --out "$scratch/planted"
+csv=$scratch/planted/needs.csv
+ok "the columns" test "$(head -1 "$csv")" = scene,part,change,tolerance,cost_share,needed,because
+ok "exactly the four" test "$(unneeded "$csv")" = "correction mesh precision torsion"
+ok "what the skin needs is needed" grep -qE ",shear,[0-9.]+,0.01,[0-9.]+,1," "$csv"
+cut=(--set balloons.0.skin.springs.torsion=0 --set precision=float --set balloons.0.correction=~)
+coarse=(--set balloons.0.model=cube-sphere:4 --set balloons.0.mass.per_particle=0.004
+    --set balloons.0.damping.coefficient=0.016 --set step=0.0049)
+ok "without the others the mesh is named" refuses 1 "reason: mesh$" \
+    "$balloon" needs "$scratch/planted.yaml" --quick "${cut[@]}"
+ok "without all four nothing is" "$balloon" needs "$scratch/planted.yaml" --quick "${cut[@]}" "${coarse[@]}" >"$scratch/said"
+ok "a reason holds" "$balloon" needs "$scratch/planted.yaml" --quick "${cut[@]}" \
+    --set 'because=[{part: mesh, reason: it looks round}]' >"$scratch/said"
+ok "and is said" grep -q "^mesh .* unneeded, but it looks round$" "$scratch/said"
+
+# --- the shipped scenes
+ok "every scene says what it is about" test "$("$balloon" needs | grep -c ' -$')" = 0
+ok "failures are about none" test "$("$balloon" needs | grep -c '^fails/.* none: ')" = "$(ls assets/scenes/fails/*.yaml | wc -l)"
+ok "no shipped scene models more than it needs" "$balloon" needs --all --quick --out "$scratch/all" >"$scratch/said"
+ok "all of them were judged" test "$(tail -n +2 "$scratch/all/needs.csv" | cut -d, -f1 | sort -u | wc -l)" = \
+    "$("$balloon" needs | grep -cE '^[^ ]+ +[^ ]+ at ')"
+
+bad "about none: of the bench" "$balloon" needs limit-springs
+bad "does not say what it is about" "$balloon" needs cube
+bad "no part 'helum'" "$balloon" needs tether --set 'because=[{part: helum, reason: none}]'
+bad "balloon0.lift is no number" "$balloon" needs turtle --quick --set 'about=[{output: balloon0.lift, at: 0.1, tolerance: 0.1}]'
+bad "about.0: |a scene is about outputs" "$balloon" run turtle --set 'about=[{output: balloon0.cy}]'
+bad "cannot be made" "$balloon" needs tether --quick --out /proc/nothing/here
+
+finish
