@@ -39,6 +39,8 @@ libraries = -lassimp -lcyaml -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -l
     -lsuitesparseconfig -lm -ldl -lpthread
 
 SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*.cpp))
+# kernels are compiled for the plainest machine of a kind, and again for a newer one (base/cpu.h)
+KERNELS  := $(if $(filter x86_64,$(shell uname -m)),$(wildcard src/*/*_kernel.c))
 HEADERS  := $(wildcard src/*/*.h)
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*.c)))
 SCENE   ?=
@@ -130,12 +132,19 @@ packages-check:
 # --- one set of rules for each precision -----------------------------------------------------------
 
 define precision # $(1): float or double, $(2): its program, $(3): its flag
-$(2)_objects := $$(patsubst src/%,$$(BUILD)/$(1)/%.o,$$(SOURCES))
+$(2)_objects := $$(patsubst src/%,$$(BUILD)/$(1)/%.o,$$(SOURCES)) \
+    $$(patsubst src/%,$$(BUILD)/$(1)/%.v3.o,$$(KERNELS))
 
 $$(BUILD)/$(1)/%.c.o: src/%.c
 	@mkdir -p $$(@D)
 	@echo "  $$@"
 	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
+
+$$(BUILD)/$(1)/%.c.v3.o: src/%.c
+	@mkdir -p $$(@D)
+	@echo "  $$@"
+	@$$(CC) -std=c17 -g $$(BITS) -march=x86-64-v3 -DKERNEL_V3 $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) \
+	    $$(includes) -c $$< -o $$@
 
 $$(BUILD)/$(1)/%.cpp.o: src/%.cpp
 	@mkdir -p $$(@D)

@@ -13,10 +13,12 @@
 typedef double real;
 #define REAL_NAME "double"
 #define REAL_EPSILON DBL_EPSILON
+#define REAL_LEAST DBL_MIN // normal and above 0
 #else
 typedef float real;
 #define REAL_NAME "float"
 #define REAL_EPSILON FLT_EPSILON
+#define REAL_LEAST FLT_MIN
 #endif
 
 static inline real real_sqrt(real a) {

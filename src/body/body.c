@@ -56,6 +56,12 @@ static double springs_bound(const Body* body) {
     return bound;
 }
 
+void body_slice(Body* body) {
+    slices_free(&body->slices);
+    slices_make(&body->slices, body->count, body->mesh,
+                body->springs.count ? &body->springs : NULL);
+}
+
 void body_add_springs(Body* body, const double stiffness[SPRING_KINDS], SpringLaw law) {
     Springs* springs = &body->springs;
     bool wanted[SPRING_KINDS];
@@ -74,6 +80,7 @@ void body_add_springs(Body* body, const double stiffness[SPRING_KINDS], SpringLa
             springs->stiffness[s] = springs->active[s] = (real)stiffness[kind];
         }
     springs->bound = springs_bound(body);
+    body_slice(body);
 }
 
 /// Each path's bend has a gradient of at most 1/a at p, 1/b at q and 1/a + 1/b at m, a and b the
@@ -136,6 +143,8 @@ void body_inflate(Body* body, const Inflation* inflation) {
     body->inflation.first_volume = measure_volume(body->mesh, body->x);
     body->inflation.volume = body->inflation.first_volume;
     body->inflation.gradient = new_array(real4, body->count);
+    if (!body->slices.count)
+        body_slice(body);
 }
 
 void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack) {
@@ -177,6 +186,7 @@ void body_drift(Body* body, double h) {
 
 void body_free(Body* body) {
     springs_free(&body->springs);
+    slices_free(&body->slices);
     torsion_free(&body->torsion);
     membrane_free(&body->membrane);
     free(body->inflation.gradient);

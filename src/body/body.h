@@ -7,6 +7,7 @@
 
 #include "body/gas.h"
 #include "body/membrane.h"
+#include "body/slices.h"
 #include "body/springs.h"
 #include "body/torsion.h"
 #include "mesh/mesh.h"
@@ -48,6 +49,7 @@ typedef struct Body {
 
     double gravity; ///< [m/s^2] downward, 0: none
     Springs springs;
+    Slices slices; ///< neighbourhoods, of a skin of springs or one that is blown up
     Torsion torsion;
     Membrane membrane;
     Inflation inflation;
@@ -72,6 +74,16 @@ void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass
 /// Give the body springs, with rest lengths from where its particles are now.
 /// stiffness: of each kind [N/m], 0 for kinds that do not exist.
 void body_add_springs(Body* body, const double stiffness[SPRING_KINDS], SpringLaw law);
+
+/// Which stiffness of a spring acts from now on [N/m].
+static inline void body_stiffen(Body* body, int spring, real stiffness) {
+    body->springs.active[spring] = stiffness;
+    slices_stiffen(&body->slices, spring, stiffness);
+}
+
+/// Make the neighbourhoods again, after springs were changed by hand.
+void body_slice(Body* body);
+
 void body_add_torsion(Body* body, double stiffness);
 
 /// Hold the particles on the rim of an open mesh where they are. Call before body_add_springs.

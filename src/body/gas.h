@@ -51,6 +51,7 @@ typedef struct Inflation {
                          ///< the stiffness
     double first_volume; ///< V0 [m^3], gas only
     real4* gradient;     ///< [count] dV/dx of the last evaluation [m^2]
+    double area;         ///< A of the last evaluation [m^2], area only
     double volume;       ///< V of the last evaluation [m^3], gas only
     double pressure;     ///< p when its tangent was last readied [Pa]
     double slope;        ///< dp/dV then [Pa/m^3]

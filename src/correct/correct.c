@@ -1,7 +1,6 @@
 #include "correct/correct.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
 
@@ -10,9 +9,8 @@ void correct_switch(Correct* correct, Body* body, bool on) {
     correct->corrected = 0;
     if (correct->on && !correct->ahead)
         correct->ahead = new_array(real4, body->count);
-    Springs* springs = &body->springs;
-    if (!correct->on && springs->count)
-        memcpy(springs->active, springs->stiffness, (size_t)springs->count * sizeof(real));
+    for (int s = 0; !correct->on && s < body->springs.count; s++)
+        body_stiffen(body, s, body->springs.stiffness[s]);
 }
 
 /// Move the ends of spring s together to at most `most` times its rest length, each by its share of
@@ -45,7 +43,9 @@ static void shorten_all(Correct* correct, Body* body) {
         for (int s = springs->from[kind]; s < springs->from[kind + 1]; s++) {
             const bool was_long = shorten(body, correct->ahead, s, most);
             correct->corrected += was_long;
-            springs->active[s] = was_long && correct->tarantino ? 0 : springs->stiffness[s];
+            const real acts = was_long && correct->tarantino ? 0 : springs->stiffness[s];
+            if (acts != springs->active[s])
+                body_stiffen(body, s, acts);
         }
     }
 }

@@ -5,15 +5,14 @@ static bool present(const Body* body) {
     return body->damping.coefficient != 0 || body->damping.rate != 0;
 }
 
-static void add(Body* body) {
-    const real c = (real)body->damping.coefficient, rate = (real)body->damping.rate;
-    for (int i = 0; i < body->count; i++)
-        body->f[i] -= (c + rate * body->mass[i]) * body->v[i];
+static void uniform(const Body* body, Uniform* sum) {
+    sum->drag += body->damping.coefficient;
+    sum->rate += body->damping.rate;
 }
 
 const Force force_damping = {
     .name = "damping",
     .about = "drag, -(coefficient + rate m) v",
     .present = present,
-    .add = add,
+    .uniform = uniform,
 };

@@ -2,15 +2,55 @@
 
 #include <string.h>
 
+#include "force/kernel.h"
+#include "force/sweep.h"
+
 const Force* const force_table[] = {
     &force_gravity,   &force_helium, &force_springs, &force_torsion, &force_membrane,
     &force_inflation, &force_lift,   &force_strings, &force_damping,
 };
 const int force_count = sizeof force_table / sizeof *force_table;
 
-void force_sum(Body* body) {
+/// body->f += what acts on all particles; v' = v + h f / m where h is not 0.
+static void add_uniform(Body* body, const Uniform* uniform, double h) {
+    const real4* gradient = uniform->pressure != 0 ? body->inflation.gradient : NULL;
+    kernels()->uniform(uniform, 0, (body->count + 1) / 2 * 2, gradient, body->mass,
+                       body->inverse_mass, (real)h, body->v, body->f);
+}
+
+void force_push(Body* body, double h) {
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
-    for (int k = 0; k < force_count; k++)
-        if (force_table[k]->present(body))
+    bool here[sizeof force_table / sizeof *force_table];
+    unsigned wanted = 0;
+    for (int k = 0; k < force_count; k++) {
+        here[k] = force_table[k]->present(body);
+        if (here[k] && force_table[k]->sweep)
+            wanted |= force_table[k]->sweep(body);
+    }
+    sweep(body, wanted);
+
+    Uniform uniform = {.pressure = 0};
+    for (int k = 0; k < force_count; k++) {
+        if (here[k] && force_table[k]->add)
             force_table[k]->add(body);
+        if (here[k] && force_table[k]->uniform)
+            force_table[k]->uniform(body, &uniform);
+    }
+    add_uniform(body, &uniform, h);
+}
+
+void force_sum(Body* body) {
+    force_push(body, 0);
+}
+
+void force_add(const Force* force, Body* body) {
+    if (force->sweep)
+        sweep(body, force->sweep(body));
+    if (force->add)
+        force->add(body);
+    if (force->uniform) {
+        Uniform uniform = {.pressure = 0};
+        force->uniform(body, &uniform);
+        add_uniform(body, &uniform, 0);
+    }
 }

@@ -7,6 +7,7 @@
 
 #include "body/body.h"
 #include "force/block_matrix.h"
+#include "force/uniform.h"
 
 /// Groups of particles of which each pulls on each: elements, springs, faces.
 typedef struct Stencils {
@@ -22,7 +23,14 @@ typedef struct Force {
     /// Whether this body has this force now.
     bool (*present)(const Body* body);
 
-    /// Add the force on every particle to body->f. [N]
+    /// The force on every particle is the sum of what the row has of three things. What it needs of
+    /// the one pass over the particles' neighbourhoods (sweep.h), with all other rows:
+    unsigned (*sweep)(const Body* body);
+
+    /// Its part of what acts on all particles by one law (uniform.h), after that pass.
+    void (*uniform)(const Body* body, Uniform* uniform);
+
+    /// What it adds to body->f by itself. [N]
     void (*add)(Body* body);
 
     /// Energy at the present positions [J], NULL for a force that has none. For `area` inflation
@@ -63,7 +71,13 @@ extern const Force force_gravity, force_helium, force_springs, force_torsion, fo
 extern const Force* const force_table[];
 extern const int force_count;
 
-/// body->f = the sum of all present forces.
+/// body->f = the sum of all present forces. [N]
 void force_sum(Body* body);
+
+/// The same, and v' = v + h f / m in the same pass.
+void force_push(Body* body, double h);
+
+/// Add one force to body->f.
+void force_add(const Force* force, Body* body);
 
 #endif

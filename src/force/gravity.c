@@ -5,10 +5,8 @@ static bool present(const Body* body) {
     return body->gravity != 0;
 }
 
-static void add(Body* body) {
-    const real4 g = {0, (real)-body->gravity, 0, 0};
-    for (int i = 0; i < body->count; i++)
-        body->f[i] += body->mass[i] * g;
+static void uniform(const Body* body, Uniform* sum) {
+    sum->acceleration[1] -= (real)body->gravity;
 }
 
 static double energy(const Body* body) {
@@ -22,6 +20,6 @@ const Force force_gravity = {
     .name = "gravity",
     .about = "weight, -m g in y",
     .present = present,
-    .add = add,
+    .uniform = uniform,
     .energy = energy,
 };

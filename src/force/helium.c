@@ -6,10 +6,8 @@ static bool present(const Body* body) {
     return body->helium.base != 0 || body->helium.per_inflation != 0;
 }
 
-static void add(Body* body) {
-    const real4 a = {0, (real)body_helium(body), 0, 0};
-    for (int i = 0; i < body->count; i++)
-        body->f[i] += body->mass[i] * a;
+static void uniform(const Body* body, Uniform* sum) {
+    sum->acceleration[1] += (real)body_helium(body);
 }
 
 static double energy(const Body* body) {
@@ -23,6 +21,6 @@ const Force force_helium = {
     .name = "helium",
     .about = "lift, m (base + per_inflation amount) in y",
     .present = present,
-    .add = add,
+    .uniform = uniform,
     .energy = energy,
 };

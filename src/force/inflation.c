@@ -1,6 +1,7 @@
 #include "force/inflation.h"
 
 #include "force/force.h"
+#include "force/sweep.h"
 #include "mesh/measure.h"
 
 /// The paper's factor from k_normal to force [1].
@@ -43,15 +44,15 @@ static bool present(const Body* body) {
            (body->inflation.amount != 0 || body->inflation.law == INFLATE_GAS);
 }
 
-static void add(Body* body) {
-    real4* restrict gradient = body->inflation.gradient;
-    const double area = measure_volume_gradient(body->mesh, body->x, gradient);
-    body->inflation.volume = volume_if_gas(body);
-    const real p = (real)pressure_of(&body->inflation, area, body->inflation.volume);
+static unsigned of_sweep(const Body* body) {
+    static const unsigned sums[INFLATION_LAWS] = {
+        [INFLATE_AREA] = SWEEP_AREA, [INFLATE_GAS] = SWEEP_VOLUME};
+    return SWEEP_GRADIENT | sums[body->inflation.law];
+}
 
-    real4* restrict f = body->f;
-    for (int i = 0; i < body->count; i++)
-        f[i] += p * gradient[i];
+static void uniform(const Body* body, Uniform* sum) {
+    const Inflation* inflation = &body->inflation;
+    sum->pressure += pressure_of(inflation, inflation->area, inflation->volume);
 }
 
 static double energy(const Body* body) {
@@ -223,7 +224,8 @@ const Force force_inflation = {
     .name = "inflation",
     .about = "pressure p dV/dx, laws area, pressure and gas",
     .present = present,
-    .add = add,
+    .sweep = of_sweep,
+    .uniform = uniform,
     .energy = energy,
     .bound = bound,
     .stencils = stencils,

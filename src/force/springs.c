@@ -10,6 +10,7 @@
 /// is a foil's: pressed it gives way, as if it wrinkled finer than the mesh. Equal and opposite on
 /// the two ends: momentum is kept to the last bit but for rounding of sums.
 #include "force/force.h"
+#include "force/sweep.h"
 
 static bool present(const Body* body) {
     return body->springs.count > 0;
@@ -20,52 +21,9 @@ static inline real ratio(real rest, real now) {
     return now > 0 ? rest / now : 0;
 }
 
-static void add_hooke(const int (*restrict end)[2], const real* restrict stiffness,
-                      const real* restrict rest, int count, const real4* restrict x,
-                      real4* restrict f) {
-    for (int s = 0; s < count; s++) {
-        const int i = end[s][0], j = end[s][1];
-        const real4 d = x[j] - x[i];
-        const real r = ratio(rest[s], length(d));
-        const real4 pull = (stiffness[s] * (1 - r)) * d;
-        f[i] += pull;
-        f[j] -= pull;
-    }
-}
-
-static void add_rubber(const int (*restrict end)[2], const real* restrict stiffness,
-                       const real* restrict rest, int count, const real4* restrict x,
-                       real4* restrict f) {
-    for (int s = 0; s < count; s++) {
-        const int i = end[s][0], j = end[s][1];
-        const real4 d = x[j] - x[i];
-        const real r = ratio(rest[s], length(d));
-        const real r3 = r * r * r;
-        const real law = r < 1 ? (1 - r3 * r3) / 6 : 1 - r;
-        const real4 pull = (stiffness[s] * law) * d;
-        f[i] += pull;
-        f[j] -= pull;
-    }
-}
-
-static void add_tension(const int (*restrict end)[2], const real* restrict stiffness,
-                        const real* restrict rest, int count, const real4* restrict x,
-                        real4* restrict f) {
-    for (int s = 0; s < count; s++) {
-        const int i = end[s][0], j = end[s][1];
-        const real4 d = x[j] - x[i];
-        const real4 pull = (stiffness[s] * real_max(1 - ratio(rest[s], length(d)), 0)) * d;
-        f[i] += pull;
-        f[j] -= pull;
-    }
-}
-
-static void add(Body* body) {
-    static void (*const add_law[SPRING_LAWS])(const int(*)[2], const real*, const real*, int,
-                                              const real4*,
-                                              real4*) = {add_hooke, add_rubber, add_tension};
-    const Springs* s = &body->springs;
-    add_law[s->law]((const int(*)[2])s->end, s->active, s->rest, s->count, body->x, body->f);
+static unsigned of_sweep(const Body* body) {
+    (void)body;
+    return SWEEP_SPRINGS;
 }
 
 static double energy(const Body* body) {
@@ -140,7 +98,7 @@ const Force force_springs = {
     .name = "springs",
     .about = "structural, shear and flexion springs, laws hooke and rubber",
     .present = present,
-    .add = add,
+    .sweep = of_sweep,
     .energy = energy,
     .bound = bound,
     .stencils = stencils,

@@ -38,8 +38,7 @@ static bool kick(Body* body, void* room, double h, Effort* effort) {
         kick_in_place(body, room, h);
         return true;
     }
-    force_sum(body);
-    body_push(body, h);
+    force_push(body, h);
     return true;
 }
 

@@ -121,7 +121,7 @@ static double measure_of(Body* body, double h) {
         if (!force_table[k]->present(body))
             continue;
         memset(body->f, 0, (size_t)body->count * sizeof *body->f);
-        force_table[k]->add(body);
+        force_add(force_table[k], body);
         const double size = weigh(body, body->f);
         sum += size * size;
     }

@@ -60,7 +60,7 @@ void predict_begin(Predict* predict, Body* body, double h) {
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     for (int k = 0; k < force_count; k++)
         if (force_table[k]->present(body) && !is_within(body, force_table[k]))
-            force_table[k]->add(body);
+            force_add(force_table[k], body);
     if (has_gas(body))
         measure_volume_gradient(body->mesh, body->x, body->inflation.gradient);
     body->x = x;

@@ -93,6 +93,7 @@ static inline void chain_of(Body* body, const double* place, int count, double m
         springs->stiffness[s] = springs->active[s] = (real)stiffness;
         springs->rest[s] = (real)(place[s + 1] - place[s]);
     }
+    body_slice(body);
 }
 
 #endif

@@ -46,7 +46,7 @@ static void check_gradient(const Force* force, Body* body) {
     // central differences: error h^2 from the third derivative, rounding energy/h
     const real h = (real)TOLERANCE(1e-3, 1e-5);
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
-    force->add(body);
+    force_add(force, body);
     double most = 0;
     for (int i = 0; i < body->count; i++)
         most = fmax(most, (double)length(body->f[i]));
@@ -95,7 +95,7 @@ static void force_at(const Force* force, Body* body, double frozen) {
             body->f[i] *= (real)frozen;
         return;
     }
-    force->add(body);
+    force_add(force, body);
 }
 
 /// out = K d of row k of the table alone.
@@ -254,7 +254,7 @@ static void lift_is_the_weight_of_the_air_less_the_gas(void** state) {
         everything(&mesh, &body, LAW_HOOKE, INFLATE_GAS, &material_neo_hookean);
         body.inflation.unit = standard_pressure;
         memset(body.f, 0, (size_t)body.count * sizeof *body.f);
-        force_lift.add(&body);
+        force_add(&force_lift, &body);
         double4 net = {0};
         for (int i = 0; i < body.count; i++)
             net += to_double4(body.f[i]);
@@ -282,7 +282,7 @@ static void internal_forces_push_nothing_as_a_whole(void** state) {
                 if (!force_table[k]->internal)
                     continue;
                 memset(body.f, 0, (size_t)body.count * sizeof *body.f);
-                force_table[k]->add(&body);
+                force_add(force_table[k], &body);
                 double4 net = {0}, torque = {0};
                 double sum = 0;
                 for (int i = 0; i < body.count; i++) {

@@ -162,7 +162,7 @@ static void the_pressure_mode_shows_the_force_of_inflation(void** state) {
     Body* body = &studio.world.balloon[0].body;
     picture_take(&studio.picture, &studio.world, &studio.camera, &mode_pressure);
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
-    force_inflation.add(body);
+    force_add(&force_inflation, body);
     double most = 0;
     for (int i = 0; i < body->count; i++)
         most = fmax(most, (double)length(body->f[i]));

@@ -136,6 +136,7 @@ static void open_membrane(World* world, double gravity, double inflation) {
     Springs* springs = &world->balloon[0].body.springs;
     for (int s = 0; s < springs->count; s++)
         springs->rest[s] /= (real)stretched_to;
+    body_slice(&world->balloon[0].body);
 }
 
 /// From the axis through the ball's centre.

@@ -1,0 +1,210 @@
+/// Eight numbers side by side, for kernels that do the same for eight particles or elements.
+///
+/// Operators act lane by lane. A kernel's file is compiled for the plainest machine of its kind and
+/// for newer ones (base/cpu.h); what differs between them is here, moves data only, and has the
+/// same bits. Masks are integers of the same size: all bits set where true.
+#ifndef BALLOON_BASE_LANES_H
+#define BALLOON_BASE_LANES_H
+
+#include <stdint.h>
+
+#include "base/vec.h"
+
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+enum { LANES = 8 };
+
+#ifdef BALLOON_DOUBLE
+typedef int64_t lane_bits;
+#else
+typedef int32_t lane_bits;
+#endif
+typedef real lanes __attribute__((vector_size(LANES * sizeof(real))));
+typedef lane_bits lane_mask __attribute__((vector_size(LANES * sizeof(real))));
+typedef double lanes_double __attribute__((vector_size(LANES * sizeof(double))));
+
+/// Eight vectors of space.
+typedef struct Lanes3 {
+    lanes x, y, z;
+} Lanes3;
+
+static inline lanes lanes_load(const real* a) {
+    lanes v;
+    __builtin_memcpy(&v, a, sizeof v);
+    return v;
+}
+
+static inline void lanes_store(real* a, lanes v) {
+    __builtin_memcpy(a, &v, sizeof v);
+}
+
+static inline lanes lanes_select(lane_mask which, lanes yes, lanes no) {
+    return (lanes)((which & (lane_mask)yes) | (~which & (lane_mask)no));
+}
+
+/// Square roots, correctly rounded, in pieces as wide as the machine has them.
+static inline lanes lanes_sqrt(lanes a) {
+#if defined(__AVX__) && defined(BALLOON_DOUBLE)
+#define PIECE __m256d
+#define PIECE_SQRT _mm256_sqrt_pd
+#elif defined(__AVX__)
+#define PIECE __m256
+#define PIECE_SQRT _mm256_sqrt_ps
+#elif defined(__SSE2__) && defined(BALLOON_DOUBLE)
+#define PIECE __m128d
+#define PIECE_SQRT _mm_sqrt_pd
+#elif defined(__SSE2__)
+#define PIECE __m128
+#define PIECE_SQRT _mm_sqrt_ps
+#else
+#define PIECE real
+#define PIECE_SQRT real_sqrt
+#endif
+    enum { PIECES = sizeof(lanes) / sizeof(PIECE) };
+    PIECE piece[PIECES];
+    __builtin_memcpy(piece, &a, sizeof a);
+    for (int k = 0; k < PIECES; k++)
+        piece[k] = PIECE_SQRT(piece[k]);
+    __builtin_memcpy(&a, piece, sizeof a);
+    return a;
+#undef PIECE
+#undef PIECE_SQRT
+}
+
+static inline Lanes3 lanes3_minus(Lanes3 a, Lanes3 b) {
+    return (Lanes3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline Lanes3 lanes3_plus(Lanes3 a, Lanes3 b) {
+    return (Lanes3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline Lanes3 lanes3_times(lanes s, Lanes3 a) {
+    return (Lanes3){s * a.x, s * a.y, s * a.z};
+}
+
+static inline lanes lanes3_dot(Lanes3 a, Lanes3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+static inline Lanes3 lanes3_cross(Lanes3 a, Lanes3 b) {
+    return (Lanes3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+#if defined(__AVX__) && !defined(BALLOON_DOUBLE)
+
+/// Two vectors of four side by side, and back.
+static inline lanes lanes_join(real4 low, real4 high) {
+    return (lanes)_mm256_insertf128_ps(_mm256_castps128_ps256((__m128)low), (__m128)high, 1);
+}
+
+static inline real4 lanes_low(lanes a) {
+    return (real4)_mm256_castps256_ps128((__m256)a);
+}
+
+static inline real4 lanes_high(lanes a) {
+    return (real4)_mm256_extractf128_ps((__m256)a, 1);
+}
+
+/// The x, y and z of eight vectors of space.
+static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3, real4 a4, real4 a5, real4 a6,
+                               real4 a7) {
+    const __m256 a = (__m256)lanes_join(a0, a4), b = (__m256)lanes_join(a1, a5);
+    const __m256 c = (__m256)lanes_join(a2, a6), d = (__m256)lanes_join(a3, a7);
+    const __m256 ab = _mm256_unpacklo_ps(a, b), ab_z = _mm256_unpackhi_ps(a, b);
+    const __m256 cd = _mm256_unpacklo_ps(c, d), cd_z = _mm256_unpackhi_ps(c, d);
+    return (Lanes3){(lanes)_mm256_shuffle_ps(ab, cd, 0x44), (lanes)_mm256_shuffle_ps(ab, cd, 0xee),
+                    (lanes)_mm256_shuffle_ps(ab_z, cd_z, 0x44)};
+}
+
+/// Eight vectors of space one after the other, spare lanes zero.
+static inline void lanes3_store(real4* out, Lanes3 v) {
+    const __m256 x = (__m256)v.x, y = (__m256)v.y, z = (__m256)v.z, zero = _mm256_setzero_ps();
+    const __m256 xy = _mm256_unpacklo_ps(x, y), xy_high = _mm256_unpackhi_ps(x, y);
+    const __m256 z0 = _mm256_unpacklo_ps(z, zero), z0_high = _mm256_unpackhi_ps(z, zero);
+    const lanes a = (lanes)_mm256_shuffle_ps(xy, z0, 0x44),
+                b = (lanes)_mm256_shuffle_ps(xy, z0, 0xee);
+    const lanes c = (lanes)_mm256_shuffle_ps(xy_high, z0_high, 0x44);
+    const lanes d = (lanes)_mm256_shuffle_ps(xy_high, z0_high, 0xee);
+    out[0] = lanes_low(a), out[1] = lanes_low(b), out[2] = lanes_low(c), out[3] = lanes_low(d);
+    out[4] = lanes_high(a), out[5] = lanes_high(b), out[6] = lanes_high(c), out[7] = lanes_high(d);
+}
+
+#else
+
+static inline lanes lanes_join(real4 low, real4 high) {
+    lanes both;
+    __builtin_memcpy(&both, &low, sizeof low);
+    __builtin_memcpy((real*)&both + 4, &high, sizeof high);
+    return both;
+}
+
+static inline real4 lanes_low(lanes a) {
+    real4 low;
+    __builtin_memcpy(&low, &a, sizeof low);
+    return low;
+}
+
+static inline real4 lanes_high(lanes a) {
+    real4 high;
+    __builtin_memcpy(&high, (const real*)&a + 4, sizeof high);
+    return high;
+}
+
+/// Rows to columns, by the shuffles that a machine with four such numbers in a register has.
+static inline void lanes_turn(real4 a, real4 b, real4 c, real4 d, real4 out[4]) {
+#if defined(BALLOON_DOUBLE) && !defined(__AVX__)
+    for (int k = 0; k < 4; k++)
+        out[k] = (real4){a[k], b[k], c[k], d[k]};
+#elif defined(BALLOON_DOUBLE)
+    const real4 even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const real4 odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const real4 even2 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const real4 odd2 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    out[0] = __builtin_shufflevector(even, even2, 0, 1, 4, 5);
+    out[1] = __builtin_shufflevector(odd, odd2, 0, 1, 4, 5);
+    out[2] = __builtin_shufflevector(even, even2, 2, 3, 6, 7);
+    out[3] = __builtin_shufflevector(odd, odd2, 2, 3, 6, 7);
+#else
+    const real4 low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+    const real4 high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const real4 low2 = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+    const real4 high2 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    out[0] = __builtin_shufflevector(low, low2, 0, 1, 4, 5);
+    out[1] = __builtin_shufflevector(low, low2, 2, 3, 6, 7);
+    out[2] = __builtin_shufflevector(high, high2, 0, 1, 4, 5);
+    out[3] = __builtin_shufflevector(high, high2, 2, 3, 6, 7);
+#endif
+}
+
+static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3, real4 a4, real4 a5, real4 a6,
+                               real4 a7) {
+    real4 low[4], high[4];
+    lanes_turn(a0, a1, a2, a3, low);
+    lanes_turn(a4, a5, a6, a7, high);
+    return (Lanes3){lanes_join(low[0], high[0]), lanes_join(low[1], high[1]),
+                    lanes_join(low[2], high[2])};
+}
+
+static inline void lanes3_store(real4* out, Lanes3 v) {
+    const real4 zero = {0, 0, 0, 0};
+    lanes_turn(lanes_low(v.x), lanes_low(v.y), lanes_low(v.z), zero, out);
+    lanes_turn(lanes_high(v.x), lanes_high(v.y), lanes_high(v.z), zero, out + 4);
+}
+
+#endif
+
+static inline Lanes3 lanes3_load(const real4* a) {
+    return lanes3_of(a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7]);
+}
+
+/// The vectors at eight places of an array, in bytes from its start.
+static inline Lanes3 lanes3_gather(const real4* array, const uint32_t place[LANES]) {
+#define AT(k) (*(const real4*)((const char*)array + place[k]))
+    return lanes3_of(AT(0), AT(1), AT(2), AT(3), AT(4), AT(5), AT(6), AT(7));
+#undef AT
+}
+
+#endif

@@ -1,0 +1,187 @@
+#include "body/slices.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "mesh/group.h"
+
+/// What the slots are made from, and those of one particle.
+typedef struct Maker {
+    const Mesh* mesh;
+    const Springs* springs;
+    bool rings;
+    int* spring_from; ///< [count + 1] where a particle's springs begin in `spring`
+    int* spring;      ///< 2 s + k for its end k of spring s
+    int* met;         ///< [count] the particle's end of its spring to a neighbour, or NONE
+    int faces;        ///< around the particle, 2 slots each
+    int slots;
+    int* neighbour; ///< [slots]
+    int* end;       ///< [slots] as in `spring`, or NONE
+} Maker;
+
+/// Corners of a face around point a: b after it, c across, d before.
+typedef struct Corners {
+    int b, c, d;
+} Corners;
+
+static Corners corners_at(const Mesh* mesh, int face, int a) {
+    const int* corner = mesh->face[face];
+    const int corners = face_corners(corner);
+    int k = 0;
+    while (corner[k] != a)
+        k++;
+    const int b = corner[(k + 1) % corners];
+    return (Corners){b, corners == 4 ? corner[(k + 2) % 4] : b,
+                     corner[(k + corners - 1) % corners]};
+}
+
+/// The faces around a point in their order, b and c of each into `ring`. False where they are not
+/// one closed ring.
+static bool find_ring(const Mesh* mesh, int a, int (*ring)[2]) {
+    const int from = mesh->point_face_from[a], faces = mesh->point_face_from[a + 1] - from;
+    const Corners first = corners_at(mesh, mesh->point_face[from], a);
+    Corners now = first;
+    for (int k = 0; k < faces; k++) {
+        ring[k][0] = now.b;
+        ring[k][1] = now.c;
+        if (k + 1 == faces)
+            return now.d == first.b;
+        if (now.d == first.b)
+            return false; // it closes before all faces were met
+        const int next = now.d;
+        for (int f = 0; f < faces && now.b != next; f++)
+            now = corners_at(mesh, mesh->point_face[from + f], a);
+        if (now.b != next)
+            return false; // a rim
+    }
+    return false;
+}
+
+static bool has_rings(const Mesh* mesh, int (*ring)[2]) {
+    bool all = mesh->closed;
+    for (int i = 0; all && i < mesh->point_count; i++)
+        all = find_ring(mesh, i, ring);
+    return all;
+}
+
+static void put(Maker* maker, int neighbour) {
+    maker->neighbour[maker->slots] = neighbour;
+    maker->end[maker->slots++] = maker->met[neighbour];
+    maker->met[neighbour] = NONE; // a neighbour that comes twice has its spring once
+}
+
+/// The slots of one particle: its ring, and the springs that are left.
+static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
+    const Mesh* mesh = maker->mesh;
+    const Springs* springs = maker->springs;
+    const int from = springs ? maker->spring_from[particle] : 0;
+    const int to = springs ? maker->spring_from[particle + 1] : 0;
+    for (int k = from; k < to; k++) {
+        const int end = maker->spring[k];
+        maker->met[springs->end[end / 2][1 - end % 2]] = end;
+    }
+    maker->slots = maker->faces = 0;
+    if (maker->rings) {
+        maker->faces = mesh->point_face_from[particle + 1] - mesh->point_face_from[particle];
+        find_ring(mesh, particle, ring);
+        for (int k = 0; k < 2 * maker->faces; k++)
+            put(maker, ring[k / 2][k % 2]);
+    }
+    for (int k = from; k < to; k++) {
+        const int end = maker->spring[k], neighbour = springs->end[end / 2][1 - end % 2];
+        if (maker->met[neighbour] == end)
+            put(maker, neighbour);
+    }
+}
+
+/// How many slots each slice has.
+static int count_slots(Slices* slices, Maker* maker, int count, int (*ring)[2]) {
+    for (int s = 0; s < slices->count; s++) {
+        int beside = 0;
+        for (int i = s * LANES; i < s * LANES + LANES && i < count; i++) {
+            make_lane(maker, i, ring);
+            const int others = maker->slots - 2 * maker->faces;
+            slices->faces[s] = maker->faces > slices->faces[s] ? maker->faces : slices->faces[s];
+            beside = others > beside ? others : beside;
+        }
+        slices->from[s + 1] = slices->from[s] + 2 * slices->faces[s] + beside;
+    }
+    return slices->from[slices->count];
+}
+
+/// Put the slots of the maker's particle where they belong, and fill up what it has fewer.
+static void take_lane(Slices* slices, const Maker* maker, int particle) {
+    const int slice = particle / LANES, lane = particle % LANES;
+    const int ring = 2 * maker->faces, rings = 2 * slices->faces[slice];
+    const int from = slices->from[slice], slots = slices->from[slice + 1] - from;
+    for (int k = 0; k < slots; k++) {
+        const int own = k < rings ? (k < ring ? k : NONE) : k - rings + ring;
+        const bool is = own != NONE && own < maker->slots;
+        const int neighbour = is ? maker->neighbour[own] : ring ? maker->neighbour[0] : particle;
+        slices->place[from + k][lane] = (uint32_t)((size_t)neighbour * sizeof(real4));
+        if (!is || maker->end[own] == NONE)
+            continue;
+        const int end = maker->end[own];
+        slices->rest[from + k][lane] = maker->springs->rest[end / 2];
+        slices->stiffness[from + k][lane] = maker->springs->active[end / 2];
+        slices->spring[end / 2][end % 2] = (from + k) * LANES + lane;
+    }
+}
+
+static int most_between(const int* from, int count) {
+    int most = 0;
+    for (int i = 0; i < count; i++)
+        most = from[i + 1] - from[i] > most ? from[i + 1] - from[i] : most;
+    return most;
+}
+
+void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* springs) {
+    *slices = (Slices){.count = (count + LANES - 1) / LANES};
+    slices->from = new_array(int, slices->count + 1);
+    slices->faces = new_array(int, slices->count);
+    Maker maker = {.mesh = mesh, .springs = springs, .met = new_array(int, count)};
+    for (int i = 0; i < count; i++)
+        maker.met[i] = NONE;
+    const int faces = mesh ? most_between(mesh->point_face_from, count) : 0;
+    int(*ring)[2] = new_array(int[2], faces);
+    slices->rings = maker.rings = mesh && has_rings(mesh, ring);
+
+    int most = 2 * faces;
+    if (springs) {
+        maker.spring_from = new_array(int, count + 1);
+        maker.spring = new_array(int, 2 * springs->count);
+        group_by_key(springs->end[0], 2 * springs->count, count, maker.spring_from, maker.spring);
+        most += most_between(maker.spring_from, count);
+        slices->spring = new_array(int[2], springs->count);
+    }
+    maker.neighbour = new_array(int, most);
+    maker.end = new_array(int, most);
+
+    const int slots = count_slots(slices, &maker, count, ring);
+    slices->place = new_array(uint32_t[LANES], slots);
+    if (springs) {
+        slices->stiffness = new_array(real[LANES], slots);
+        slices->rest = new_array(real[LANES], slots);
+    }
+    for (int i = 0; i < count; i++) {
+        make_lane(&maker, i, ring);
+        take_lane(slices, &maker, i);
+    }
+    free(ring);
+    free(maker.met);
+    free(maker.spring_from);
+    free(maker.spring);
+    free(maker.neighbour);
+    free(maker.end);
+}
+
+void slices_free(Slices* slices) {
+    free(slices->from);
+    free(slices->faces);
+    free(slices->place);
+    free(slices->stiffness);
+    free(slices->rest);
+    free(slices->spring);
+    *slices = (Slices){0};
+}

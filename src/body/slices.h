@@ -1,0 +1,45 @@
+/// The neighbourhoods of the particles, eight particles side by side (SELL-8).
+///
+/// A slice is eight particles that follow each other; a slot is one neighbour of each of them, and
+/// the spring to it. Each spring is in two slots, one for each end: computing it twice is cheaper
+/// than scattering its pull. Slots of a particle, with its faces in the order in which they lie
+/// around it:
+///
+///            c0  b1             b0 c0  b1 c1  …  then flexion springs
+///             \ /
+///        b0 - a - b2            face k of a has the corners a, b_k, c_k, b_(k+1) and the last one
+///             / \               closes the ring at b_0; a triangle has c_k = b_k
+///            …   c1
+///
+/// Where a neighbour has fewer faces than the others of its slice, its ring stays at b_0; where a
+/// slot has no spring, its stiffness is 0. Source: M. Kreutzer et al., A unified sparse matrix data
+/// format (SELL-C-sigma), 2014.
+#ifndef BALLOON_BODY_SLICES_H
+#define BALLOON_BODY_SLICES_H
+
+#include "base/lanes.h"
+#include "body/springs.h"
+
+typedef struct Slices {
+    int count;                ///< slices
+    int* from;                ///< [count + 1] first slot of each
+    int* faces;               ///< [count] most faces around a particle of it; 2 slots each
+    uint32_t (*place)[LANES]; ///< [slots] neighbour, in bytes from the start of a real4 array
+    real (*stiffness)[LANES]; ///< [slots] that acts in this step [N/m]; NULL without springs
+    real (*rest)[LANES];      ///< [slots] rest length [m]
+    int (*spring)[2];         ///< [springs] where a spring's two ends are: slot * LANES + lane
+    bool rings;               ///< every particle's faces are one closed ring
+} Slices;
+
+/// Slices of `count` particles. mesh or springs may be NULL: then there are no rings, or only them.
+void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* springs);
+
+/// Which stiffness of a spring acts in this step [N/m].
+static inline void slices_stiffen(const Slices* slices, int spring, real stiffness) {
+    slices->stiffness[0][slices->spring[spring][0]] = stiffness;
+    slices->stiffness[0][slices->spring[spring][1]] = stiffness;
+}
+
+void slices_free(Slices* slices);
+
+#endif

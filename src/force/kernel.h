@@ -1,0 +1,33 @@
+/// The loops over particles in which a step spends its time, in as many compilations as there are
+/// kinds of machine (base/cpu.h).
+#ifndef BALLOON_FORCE_KERNEL_H
+#define BALLOON_FORCE_KERNEL_H
+
+#include "body/slices.h"
+#include "force/uniform.h"
+
+/// Sums over the particles of some slices.
+typedef struct SweepSums {
+    double area;   ///< [m^2]
+    double volume; ///< [m^3]
+} SweepSums;
+
+typedef struct Kernels {
+    /// sweep.h, over slices from … to - 1. gradient: NULL where it is not wanted.
+    SweepSums (*sweep)(const Slices* slices, int from, int to, const real4* x, unsigned wanted,
+                       SpringLaw law, real4* f, real4* gradient);
+
+    /// uniform.h, over particles from … to - 1: f += what acts on all; v += h f / m where h > 0.
+    void (*uniform)(const Uniform* uniform, int from, int to, const real4* gradient,
+                    const real* mass, const real* inverse_mass, real h, real4* v, real4* f);
+} Kernels;
+
+extern const Kernels kernels_baseline;
+#ifdef __x86_64__
+extern const Kernels kernels_v3;
+#endif
+
+/// Those of this machine.
+const Kernels* kernels(void);
+
+#endif

@@ -1,0 +1,190 @@
+/// Compiled for each kind of machine: base/cpu.h. Equations: sweep.h, uniform.h, springs.c.
+#include "force/kernel.h"
+#include "force/sweep.h"
+
+#define ALWAYS inline __attribute__((always_inline))
+
+/// Pull of eight springs along d [N]. A spring of no length pulls nowhere, for d is zero; the least
+/// number keeps its ratio finite.
+static ALWAYS Lanes3 pull_of(SpringLaw law, Lanes3 d, const real* stiffness, const real* rest) {
+    const lanes r = lanes_load(rest) / lanes_sqrt(lanes3_dot(d, d) + REAL_LEAST);
+    lanes share = 1 - r;
+    if (law == LAW_RUBBER) {
+        const lanes r3 = r * r * r;
+        share = lanes_select(r < 1, (1 - r3 * r3) * ((real)1 / 6), share);
+    }
+    if (law == LAW_TENSION)
+        share = lanes_select(r < 1, share, (lanes){0});
+    return lanes3_times(lanes_load(stiffness) * share, d);
+}
+
+/// Which of eight faces are triangles: their c is their b.
+static ALWAYS lane_mask is_triangle(const uint32_t* b, const uint32_t* c) {
+    lane_mask same;
+    for (int k = 0; k < LANES; k++)
+        same[k] = -(lane_bits)(b[k] == c[k]);
+    return same;
+}
+
+/// What is summed up around eight particles.
+typedef struct Around {
+    Lanes3 f;        ///< [N]
+    Lanes3 gradient; ///< 12 times [m^2]
+    lanes area;      ///< 8 times their share [m^2]
+} Around;
+
+/// The faces around eight particles at a, and the springs to their corners. Returns the next slot.
+static ALWAYS int go_round(const Slices* s, int slice, const real4* x, Lanes3 a, unsigned wanted,
+                           SpringLaw law, Around* around) {
+    int slot = s->from[slice];
+    const Lanes3 first = lanes3_minus(lanes3_gather(x, s->place[slot]), a);
+    Lanes3 b = first;
+    for (int k = s->faces[slice]; k > 0; k--, slot += 2) {
+        const Lanes3 c = lanes3_minus(lanes3_gather(x, s->place[slot + 1]), a);
+        if (wanted & SWEEP_SPRINGS) {
+            const Lanes3 to_b = pull_of(law, b, s->stiffness[slot], s->rest[slot]);
+            const Lanes3 to_c = pull_of(law, c, s->stiffness[slot + 1], s->rest[slot + 1]);
+            around->f = lanes3_plus(lanes3_plus(around->f, to_b), to_c);
+        }
+        const Lanes3 next = k > 1 ? lanes3_minus(lanes3_gather(x, s->place[slot + 2]), a) : first;
+        if (wanted & SWEEP_GRADIENT) {
+            const Lanes3 across = lanes3_minus(next, b);
+            const Lanes3 two_areas = lanes3_cross(c, across);
+            around->gradient =
+                lanes3_plus(lanes3_plus(around->gradient, two_areas), lanes3_cross(b, across));
+            if (wanted & SWEEP_AREA) {
+                const lanes size = lanes_sqrt(lanes3_dot(two_areas, two_areas));
+                const lane_mask triangle = is_triangle(s->place[slot], s->place[slot + 1]);
+                around->area += lanes_select(triangle, size * ((real)4 / 3), size);
+            }
+        }
+        b = next;
+    }
+    return slot;
+}
+
+static ALWAYS lanes_double to_lanes_double(lanes a) {
+    return __builtin_convertvector(a, lanes_double);
+}
+
+/// In the order of the lanes, so that every machine rounds alike.
+static double sum_of(lanes_double a) {
+    double sum = 0;
+    for (int k = 0; k < LANES; k++)
+        sum += a[k];
+    return sum;
+}
+
+static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const real4* restrict x,
+                                     unsigned wanted, SpringLaw law, real4* restrict f,
+                                     real4* restrict gradient) {
+    lanes_double area = {0}, volume = {0};
+    const double4 origin = to_double4(x[0]);
+    for (int slice = from; slice < to; slice++) {
+        const int i = slice * LANES;
+        const Lanes3 a = lanes3_load(&x[i]);
+        Around around = {.area = {0}};
+        if (wanted & SWEEP_SPRINGS)
+            around.f = lanes3_load(&f[i]);
+        int slot = s->from[slice];
+        if (s->faces[slice])
+            slot = go_round(s, slice, x, a, wanted, law, &around);
+        if (wanted & SWEEP_SPRINGS) {
+            for (; slot < s->from[slice + 1]; slot++) {
+                const Lanes3 d = lanes3_minus(lanes3_gather(x, s->place[slot]), a);
+                around.f =
+                    lanes3_plus(around.f, pull_of(law, d, s->stiffness[slot], s->rest[slot]));
+            }
+            lanes3_store(&f[i], around.f);
+        }
+        if (wanted & SWEEP_GRADIENT) {
+            const Lanes3 g = lanes3_times((real)1 / 12 + (lanes){0}, around.gradient);
+            lanes3_store(&gradient[i], g);
+            area += to_lanes_double(around.area);
+            if (wanted & SWEEP_VOLUME)
+                volume += (to_lanes_double(a.x) - origin[0]) * to_lanes_double(g.x) +
+                          (to_lanes_double(a.y) - origin[1]) * to_lanes_double(g.y) +
+                          (to_lanes_double(a.z) - origin[2]) * to_lanes_double(g.z);
+        }
+    }
+    return (SweepSums){sum_of(area) / 8, sum_of(volume) / 3};
+}
+
+#define SWEEP(name, wanted, law)                                                                   \
+    static SweepSums name(const Slices* s, int from, int to, const real4* x, real4* f,             \
+                          real4* gradient) {                                                       \
+        return sweep_slices(s, from, to, x, wanted, law, f, gradient);                             \
+    }
+// clang-format off
+SWEEP(hooke,           SWEEP_SPRINGS,                                 LAW_HOOKE)
+SWEEP(hooke_gradient,  SWEEP_SPRINGS | SWEEP_GRADIENT,                LAW_HOOKE)
+SWEEP(hooke_area,      SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,   LAW_HOOKE)
+SWEEP(hooke_volume,    SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME, LAW_HOOKE)
+SWEEP(rubber,          SWEEP_SPRINGS,                                 LAW_RUBBER)
+SWEEP(rubber_gradient, SWEEP_SPRINGS | SWEEP_GRADIENT,                LAW_RUBBER)
+SWEEP(rubber_area,     SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,   LAW_RUBBER)
+SWEEP(rubber_volume,   SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME, LAW_RUBBER)
+SWEEP(tension,          SWEEP_SPRINGS,                                 LAW_TENSION)
+SWEEP(tension_gradient, SWEEP_SPRINGS | SWEEP_GRADIENT,                LAW_TENSION)
+SWEEP(tension_area,     SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,   LAW_TENSION)
+SWEEP(tension_volume,   SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME, LAW_TENSION)
+SWEEP(gradient_alone,  SWEEP_GRADIENT,                                LAW_HOOKE)
+SWEEP(area,            SWEEP_GRADIENT | SWEEP_AREA,                   LAW_HOOKE)
+SWEEP(volume,          SWEEP_GRADIENT | SWEEP_VOLUME,                 LAW_HOOKE)
+// clang-format on
+
+static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x, unsigned wanted,
+                              SpringLaw law, real4* f, real4* gradient) {
+    static SweepSums (*const table[][4])(const Slices*, int, int, const real4*, real4*, real4*) = {
+        {hooke, hooke_gradient, hooke_area, hooke_volume},
+        {rubber, rubber_gradient, rubber_area, rubber_volume},
+        {tension, tension_gradient, tension_area, tension_volume},
+        {NULL, gradient_alone, area, volume},
+    };
+    const int row = wanted & SWEEP_SPRINGS ? (int)law : SPRING_LAWS;
+    const int column = !(wanted & SWEEP_GRADIENT) ? 0
+                       : wanted & SWEEP_AREA      ? 2
+                       : wanted & SWEEP_VOLUME    ? 3
+                                                  : 1;
+    return table[row][column](s, from, to, x, f, gradient);
+}
+
+/// Two particles side by side.
+static ALWAYS lanes both(const real* a) {
+    const real4 low = {a[0], a[0], a[0], a[0]}, high = {a[1], a[1], a[1], a[1]};
+    return lanes_join(low, high);
+}
+
+static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
+                               const real4* restrict gradient, const real* restrict mass,
+                               const real* restrict inverse_mass, real h, real4* restrict v,
+                               real4* restrict f) {
+    const lanes a = lanes_join(uniform->acceleration, uniform->acceleration);
+    const real p = (real)uniform->pressure;
+    const real drag = (real)uniform->drag, rate = (real)uniform->rate;
+    for (int i = from; i < to; i += 2) {
+        real *const vi = (real*)&v[i], *const fi = (real*)&f[i];
+        const lanes m = both(&mass[i]), now = lanes_load(vi);
+        lanes sum = lanes_load(fi) + m * a - (drag + rate * m) * now;
+        if (gradient)
+            sum += p * lanes_load((const real*)&gradient[i]);
+        lanes_store(fi, sum);
+        if (h > 0)
+            lanes_store(vi, now + (h * both(&inverse_mass[i])) * sum);
+    }
+}
+
+static void add_uniform_wanted(const Uniform* uniform, int from, int to, const real4* gradient,
+                               const real* mass, const real* inverse_mass, real h, real4* v,
+                               real4* f) {
+    if (!gradient)
+        add_uniform(uniform, from, to, NULL, mass, inverse_mass, h, v, f);
+    else
+        add_uniform(uniform, from, to, gradient, mass, inverse_mass, h, v, f);
+}
+
+#ifdef KERNEL_V3
+const Kernels kernels_v3 = {sweep_wanted, add_uniform_wanted};
+#else
+const Kernels kernels_baseline = {sweep_wanted, add_uniform_wanted};
+#endif

@@ -1,0 +1,192 @@
+/// The one pass over neighbourhoods: what is in its slots, and what it finds against plain loops.
+#include "base/cpu.h"
+#include "bodies.h"
+#include "force/force.h"
+#include "force/kernel.h"
+#include "force/sweep.h"
+#include "mesh/measure.h"
+
+/// Closed skins of quads, of triangles, of both, with few and many faces around a particle.
+static const char* const closed[] = {"cube",        "cube-sphere:5", "torus:12x8",     "pillow:6",
+                                     "icosphere:2", "discs:7x9",     "cube-sphere:12", "torus:3x3"};
+enum { CLOSED = sizeof closed / sizeof *closed };
+
+static void springs_on(const char* name, Mesh* mesh, Body* body, SpringLaw law) {
+    mesh_of(name, mesh);
+    body_of(mesh, body);
+    body_add_springs(body, paper_springs, law);
+    shake(body, 0.05);
+}
+
+/// Each spring is in two slots, as its two ends see it, and no other slot pulls.
+static void each_spring_is_in_two_slots(void** state) {
+    (void)state;
+    for (int n = 0; n < CLOSED; n++) {
+        Mesh mesh;
+        Body body;
+        springs_on(closed[n], &mesh, &body, LAW_HOOKE);
+        const Slices* slices = &body.slices;
+        int pulling = 0;
+        for (int k = 0; k < slices->from[slices->count] * LANES; k++)
+            pulling += slices->stiffness[0][k] > 0;
+        assert_int_equal(pulling, 2 * body.springs.count);
+        for (int s = 0; s < body.springs.count; s++)
+            for (int end = 0; end < 2; end++) {
+                const int at = slices->spring[s][end], slot = at / LANES;
+                int slice = 0;
+                while (slices->from[slice + 1] <= slot)
+                    slice++;
+                assert_int_equal(slice * LANES + at % LANES, body.springs.end[s][end]);
+                assert_int_equal(slices->place[0][at],
+                                 (size_t)body.springs.end[s][1 - end] * sizeof(real4));
+                assert_true(slices->stiffness[0][at] == body.springs.stiffness[s]);
+                assert_true(slices->rest[0][at] == body.springs.rest[s]);
+            }
+        body_free(&body);
+        mesh_free(&mesh);
+    }
+}
+
+/// Spring by spring, in double.
+static void plain_forces(const Body* body, double4* f) {
+    const Springs* springs = &body->springs;
+    for (int s = 0; s < springs->count; s++) {
+        const int* end = springs->end[s];
+        const double4 d = to_double4(body->x[end[1]]) - to_double4(body->x[end[0]]);
+        const double r = (double)springs->rest[s] / dlength(d);
+        const double law = springs->law == LAW_RUBBER && r < 1 ? (1 - pow(r, 6)) / 6 : 1 - r;
+        const double4 pull = (double)springs->active[s] * law * d;
+        f[end[0]] += pull;
+        f[end[1]] -= pull;
+    }
+}
+
+static void pulls_are_those_of_the_springs(void** state) {
+    (void)state;
+    for (int n = 0; n < 2 * CLOSED; n++) {
+        Mesh mesh;
+        Body body;
+        springs_on(closed[n / 2], &mesh, &body, n % 2 ? LAW_RUBBER : LAW_HOOKE);
+        for (int s = 0; s < body.springs.count; s += 5) // as Tarantino's correction has it
+            body_stiffen(&body, s, 0);
+        double4* want = new_array(double4, body.count);
+        plain_forces(&body, want);
+        force_add(&force_springs, &body);
+        double most = 0;
+        for (int i = 0; i < body.count; i++)
+            most = fmax(most, dlength(want[i]));
+        for (int i = 0; i < body.count; i++)
+            assert_near(dlength(to_double4(body.f[i]) - want[i]), 0, 100 * REAL_EPSILON * most);
+        free(want);
+        body_free(&body);
+        mesh_free(&mesh);
+    }
+}
+
+/// Gradient, area and volume of closed rings are those of the faces.
+static void rings_measure_what_faces_do(void** state) {
+    (void)state;
+    for (int n = 0; n < CLOSED; n++) {
+        Mesh mesh;
+        Body body;
+        springs_on(closed[n], &mesh, &body, LAW_HOOKE);
+        assert_true(body.slices.rings);
+        body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
+        real4* want = new_array(real4, body.count);
+        const double area = measure_volume_gradient(&mesh, body.x, want);
+        double most = 0;
+        for (int i = 0; i < body.count; i++)
+            most = fmax(most, (double)length(want[i]));
+
+        sweep(&body, SWEEP_GRADIENT | SWEEP_AREA);
+        assert_close(body.inflation.area, area, 10 * REAL_EPSILON);
+        for (int i = 0; i < body.count; i++)
+            assert_near((double)length(body.inflation.gradient[i] - want[i]), 0,
+                        20 * REAL_EPSILON * most);
+        sweep(&body, SWEEP_GRADIENT | SWEEP_VOLUME);
+        assert_close(body.inflation.volume, measure_volume(&mesh, body.x), 100 * REAL_EPSILON);
+        free(want);
+        body_free(&body);
+        mesh_free(&mesh);
+    }
+}
+
+/// A rim is no ring; the open skin's own gradient is taken.
+static void open_skins_have_no_rings(void** state) {
+    (void)state;
+    Mesh mesh;
+    Body body;
+    springs_on("grid:5x4", &mesh, &body, LAW_HOOKE);
+    assert_false(body.slices.rings);
+    body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
+    real4* want = new_array(real4, body.count);
+    const double area = measure_volume_gradient(&mesh, body.x, want);
+    sweep(&body, SWEEP_GRADIENT | SWEEP_AREA);
+    assert_near(body.inflation.area, area, 0);
+    assert_memory_equal(body.inflation.gradient, want, (size_t)body.count * sizeof *want);
+    free(want);
+    body_free(&body);
+    mesh_free(&mesh);
+}
+
+/// What one compilation of the kernels makes of a body: forces, velocities, sums.
+static SweepSums one_step(const Kernels* with, Body* body, unsigned wanted) {
+    const Uniform uniform = {
+        .acceleration = {0, (real)-9.8, 0, 0}, .pressure = 3, .drag = 0.02, .rate = 0.7};
+    memset(body->f, 0, (size_t)body->count * sizeof *body->f);
+    const SweepSums sums = with->sweep(&body->slices, 0, body->slices.count, body->x, wanted,
+                                       body->springs.law, body->f, body->inflation.gradient);
+    with->uniform(&uniform, 0, body->count,
+                  wanted & SWEEP_GRADIENT ? body->inflation.gradient : NULL, body->mass,
+                  body->inverse_mass, (real)0.001, body->v, body->f);
+    return sums;
+}
+
+static void all_compilations_give_the_same_bits(void** state) {
+    (void)state;
+#ifdef __x86_64__
+    if (!cpu_is_v3())
+        skip();
+    const unsigned wanted[] = {SWEEP_SPRINGS,
+                               SWEEP_SPRINGS | SWEEP_GRADIENT,
+                               SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,
+                               SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME,
+                               SWEEP_GRADIENT | SWEEP_AREA,
+                               SWEEP_GRADIENT | SWEEP_VOLUME};
+    for (size_t n = 0; n < CLOSED * sizeof wanted / sizeof *wanted; n++)
+        for (int law = 0; law < SPRING_LAWS; law++) {
+            const unsigned goal = wanted[n / CLOSED];
+            Mesh mesh;
+            Body one, other;
+            springs_on(closed[n % CLOSED], &mesh, &one, (SpringLaw)law);
+            body_of(&mesh, &other);
+            body_add_springs(&other, paper_springs, (SpringLaw)law);
+            shake(&other, 0.05);
+            body_inflate(&one, &(Inflation){.law = INFLATE_AREA});
+            body_inflate(&other, &(Inflation){.law = INFLATE_AREA});
+            const SweepSums a = one_step(&kernels_baseline, &one, goal);
+            const SweepSums b = one_step(&kernels_v3, &other, goal);
+            const size_t bytes = (size_t)one.count * sizeof(real4);
+            assert_memory_equal(&a, &b, sizeof a);
+            assert_memory_equal(one.f, other.f, bytes);
+            assert_memory_equal(one.v, other.v, bytes);
+            assert_memory_equal(one.inflation.gradient, other.inflation.gradient, bytes);
+            body_free(&one);
+            body_free(&other);
+            mesh_free(&mesh);
+        }
+#else
+    skip();
+#endif
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_spring_is_in_two_slots),
+        cmocka_unit_test(pulls_are_those_of_the_springs),
+        cmocka_unit_test(rings_measure_what_faces_do),
+        cmocka_unit_test(open_skins_have_no_rings),
+        cmocka_unit_test(all_compilations_give_the_same_bits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
