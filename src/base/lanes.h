@@ -44,6 +44,23 @@ static inline lanes lanes_select(lane_mask which, lanes yes, lanes no) {
     return (lanes)((which & (lane_mask)yes) | (~which & (lane_mask)no));
 }
 
+/// The smaller and the larger of each lane; b where one is not a number.
+static inline lanes lanes_lower(lanes a, lanes b) {
+#if defined(__AVX__) && !defined(BALLOON_DOUBLE)
+    return (lanes)_mm256_min_ps((__m256)a, (__m256)b);
+#else
+    return lanes_select(a < b, a, b);
+#endif
+}
+
+static inline lanes lanes_higher(lanes a, lanes b) {
+#if defined(__AVX__) && !defined(BALLOON_DOUBLE)
+    return (lanes)_mm256_max_ps((__m256)a, (__m256)b);
+#else
+    return lanes_select(a > b, a, b);
+#endif
+}
+
 /// Square roots, correctly rounded, in pieces as wide as the machine has them.
 static inline lanes lanes_sqrt(lanes a) {
 #if defined(__AVX__) && defined(BALLOON_DOUBLE)

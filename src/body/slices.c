@@ -10,11 +10,10 @@
 typedef struct Maker {
     const Mesh* mesh;
     const Springs* springs;
-    bool rings;
     int* spring_from; ///< [count + 1] where a particle's springs begin in `spring`
     int* spring;      ///< 2 s + k for its end k of spring s
     int* met;         ///< [count] the particle's end of its spring to a neighbour, or NONE
-    int faces;        ///< around the particle, 2 slots each
+    int faces;        ///< pairs of slots in the particle's ring
     int slots;
     int* neighbour; ///< [slots]
     int* end;       ///< [slots] as in `spring`, or NONE
@@ -36,33 +35,40 @@ static Corners corners_at(const Mesh* mesh, int face, int a) {
                      corner[(k + corners - 1) % corners]};
 }
 
-/// The faces around a point in their order, b and c of each into `ring`. False where they are not
-/// one closed ring.
-static bool find_ring(const Mesh* mesh, int a, int (*ring)[2]) {
+/// Where a walk around a point begins: the first face of a fan, any face of a closed ring.
+static Corners first_face(const Mesh* mesh, int a) {
+    const int *from = &mesh->point_face[mesh->point_face_from[a]],
+              *to = &mesh->point_face[mesh->point_face_from[a + 1]];
+    for (const int* f = from; f < to; f++) {
+        const Corners here = corners_at(mesh, *f, a);
+        bool has_before = false;
+        for (const int* g = from; g < to && !has_before; g++)
+            has_before = corners_at(mesh, *g, a).d == here.b;
+        if (!has_before)
+            return here;
+    }
+    return corners_at(mesh, *from, a);
+}
+
+/// The faces around a point in their order, b and c of each into `ring`. Returns the pairs. The
+/// doctor lets no point through where two rings touch.
+static int find_ring(const Mesh* mesh, int a, int (*ring)[2]) {
     const int from = mesh->point_face_from[a], faces = mesh->point_face_from[a + 1] - from;
-    const Corners first = corners_at(mesh, mesh->point_face[from], a);
-    Corners now = first;
+    Corners now = first_face(mesh, a);
+    const int first = now.b;
     for (int k = 0; k < faces; k++) {
         ring[k][0] = now.b;
         ring[k][1] = now.c;
-        if (k + 1 == faces)
-            return now.d == first.b;
-        if (now.d == first.b)
-            return false; // it closes before all faces were met
         const int next = now.d;
         for (int f = 0; f < faces && now.b != next; f++)
             now = corners_at(mesh, mesh->point_face[from + f], a);
-        if (now.b != next)
-            return false; // a rim
+        if (k + 1 == faces && next != first) {
+            ring[faces][0] = next;
+            ring[faces][1] = a;
+            return faces + 1;
+        }
     }
-    return false;
-}
-
-static bool has_rings(const Mesh* mesh, int (*ring)[2]) {
-    bool all = mesh->closed;
-    for (int i = 0; all && i < mesh->point_count; i++)
-        all = find_ring(mesh, i, ring);
-    return all;
+    return faces;
 }
 
 static void put(Maker* maker, int neighbour) {
@@ -82,9 +88,8 @@ static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
         maker->met[springs->end[end / 2][1 - end % 2]] = end;
     }
     maker->slots = maker->faces = 0;
-    if (maker->rings) {
-        maker->faces = mesh->point_face_from[particle + 1] - mesh->point_face_from[particle];
-        find_ring(mesh, particle, ring);
+    if (mesh) {
+        maker->faces = find_ring(mesh, particle, ring);
         for (int k = 0; k < 2 * maker->faces; k++)
             put(maker, ring[k / 2][k % 2]);
     }
@@ -143,11 +148,11 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     Maker maker = {.mesh = mesh, .springs = springs, .met = new_array(int, count)};
     for (int i = 0; i < count; i++)
         maker.met[i] = NONE;
-    const int faces = mesh ? most_between(mesh->point_face_from, count) : 0;
-    int(*ring)[2] = new_array(int[2], faces);
-    slices->rings = maker.rings = mesh && has_rings(mesh, ring);
+    slices->open = mesh && !mesh->closed;
+    const int pairs = mesh ? most_between(mesh->point_face_from, count) + 1 : 0;
+    int(*ring)[2] = new_array(int[2], pairs);
 
-    int most = 2 * faces;
+    int most = 2 * pairs;
     if (springs) {
         maker.spring_from = new_array(int, count + 1);
         maker.spring = new_array(int, 2 * springs->count);

@@ -5,15 +5,16 @@
 /// than scattering its pull. Slots of a particle, with its faces in the order in which they lie
 /// around it:
 ///
-///            c0  b1             b0 c0  b1 c1  …  then flexion springs
+///            c0  b1             b0 c0  b1 c1  …  then the springs that are left
 ///             \ /
-///        b0 - a - b2            face k of a has the corners a, b_k, c_k, b_(k+1) and the last one
+///        b0 - a - b2            face k of a has the corners a, b_k, c_k, b_(k+1); the last one
 ///             / \               closes the ring at b_0; a triangle has c_k = b_k
 ///            …   c1
 ///
-/// Where a neighbour has fewer faces than the others of its slice, its ring stays at b_0; where a
-/// slot has no spring, its stiffness is 0. Source: M. Kreutzer et al., A unified sparse matrix data
-/// format (SELL-C-sigma), 2014.
+/// On a rim the faces are a fan, whose last edge is one more pair b_n, a: what has its c at a is no
+/// face. Where a particle has fewer faces than the others of its slice, its ring stays at b_0;
+/// where a slot has no spring, its stiffness is 0. Source: M. Kreutzer et al., A unified sparse
+/// matrix data format (SELL-C-sigma), 2014.
 #ifndef BALLOON_BODY_SLICES_H
 #define BALLOON_BODY_SLICES_H
 
@@ -23,12 +24,12 @@
 typedef struct Slices {
     int count;                ///< slices
     int* from;                ///< [count + 1] first slot of each
-    int* faces;               ///< [count] most faces around a particle of it; 2 slots each
+    int* faces;               ///< [count] pairs of slots of the longest ring in it
     uint32_t (*place)[LANES]; ///< [slots] neighbour, in bytes from the start of a real4 array
     real (*stiffness)[LANES]; ///< [slots] that acts in this step [N/m]; NULL without springs
     real (*rest)[LANES];      ///< [slots] rest length [m]
     int (*spring)[2];         ///< [springs] where a spring's two ends are: slot * LANES + lane
-    bool rings;               ///< every particle's faces are one closed ring
+    bool open;                ///< there is a rim
 } Slices;
 
 /// Slices of `count` particles. mesh or springs may be NULL: then there are no rings, or only them.

@@ -250,9 +250,15 @@ static double allowed(const Collide* collide, double h) {
 /// Whether there was anything to stop.
 static bool stop_on_planes(Collide* collide, double h) {
     bool any = false;
-    for (int b = 0; b < collide->skin_count; b++)
-        for (int k = 0; k < collide->plane_count && !collide->skin[b].body->asleep; k++)
-            any |= plane_stop(collide->skin[b].body, &collide->plane[k], h);
+    for (int b = 0; collide->plane_count > 0 && b < collide->skin_count; b++) {
+        Body* body = collide->skin[b].body;
+        if (body->asleep)
+            continue;
+        const Extent x = extent_of(body->x, body->count), v = extent_of(body->v, body->count);
+        for (int k = 0; k < collide->plane_count; k++)
+            if (plane_within(&collide->plane[k], &x, &v, h))
+                any |= plane_stop(body, &collide->plane[k], h);
+    }
     return any;
 }
 

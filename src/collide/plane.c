@@ -4,6 +4,14 @@ static const real friction = (real)0.8; ///< [1] rubber on a dry floor
 static const real way_out = (real)0.2;  ///< [1] part of a depth that a drift may undo
 static const real way_rate = 20; ///< [1/s] and part in a second, so that short drifts do not kick
 
+bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h) {
+    double4 nearest = {0};
+    for (int k = 0; k < 3; k++)
+        nearest[k] = (double)(plane->normal[k] > 0 ? x->low[k] : x->high[k]);
+    // twice the way, as plane_stop has it; written so that a NaN is within
+    return !(ddot(plane->normal, nearest - plane->point) > 2 * extent_length(v) * h);
+}
+
 bool plane_stop(Body* body, const Plane* plane, double step) {
     const real h = (real)step;
     const real4 n = to_real4(plane->normal), point = to_real4(plane->point);

@@ -18,6 +18,11 @@ static void add_uniform(Body* body, const Uniform* uniform, double h) {
                        body->inverse_mass, (real)h, body->v, body->f);
 }
 
+static void take(Body* body, SweepSums sums) {
+    body->inflation.area = sums.area;
+    body->inflation.volume = sums.volume;
+}
+
 void force_push(Body* body, double h) {
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     bool here[sizeof force_table / sizeof *force_table];
@@ -27,7 +32,7 @@ void force_push(Body* body, double h) {
         if (here[k] && force_table[k]->sweep)
             wanted |= force_table[k]->sweep(body);
     }
-    sweep(body, wanted);
+    take(body, sweep(body, wanted));
 
     Uniform uniform = {.pressure = 0};
     for (int k = 0; k < force_count; k++) {
@@ -45,7 +50,7 @@ void force_sum(Body* body) {
 
 void force_add(const Force* force, Body* body) {
     if (force->sweep)
-        sweep(body, force->sweep(body));
+        take(body, sweep(body, force->sweep(body)));
     if (force->add)
         force->add(body);
     if (force->uniform) {

@@ -27,18 +27,6 @@ double inflation_pressure(const Body* body) {
                        gas ? measure_volume(body->mesh, body->x) : 0);
 }
 
-/// The volume of a gas from dV/dx, which is at hand: V is of degree 3 in x, so 3 V = x . dV/dx,
-/// from any origin; one on the skin loses no digits far away.
-static double volume_if_gas(const Body* body) {
-    if (body->inflation.law != INFLATE_GAS)
-        return 0;
-    const double4 origin = to_double4(body->x[0]);
-    double sum = 0;
-    for (int i = 0; i < body->count; i++)
-        sum += ddot(to_double4(body->x[i]) - origin, to_double4(body->inflation.gradient[i]));
-    return sum / 3;
-}
-
 static bool present(const Body* body) {
     return body->inflation.law != INFLATE_NONE &&
            (body->inflation.amount != 0 || body->inflation.law == INFLATE_GAS);
@@ -63,59 +51,17 @@ static double energy(const Body* body) {
     return -inflation_pressure(body) * volume;
 }
 
-/// Row sums of the second derivative of V, and of dA/dx and dV/dx, at one corner of a face: each
-/// entry is at most a length of an edge or diagonal, for the gradients are cross products of those.
-typedef struct Rows {
-    double second; ///< sum over the corners of |d2V / dx_corner dx_k| [m]
-    double area;   ///< |dA / dx_corner| [m]
-} Rows;
-
-static Rows rows_at(const Body* body, const int face[4], int corner) {
-    const int corners = face_corners(face);
-    const real4 a = body->x[face[corner]];
-    const real4 b = body->x[face[(corner + 1) % corners]];
-    const real4 d = body->x[face[(corner + corners - 1) % corners]];
-    const double ab = (double)length(b - a), ad = (double)length(d - a), bd = (double)length(d - b);
-    if (corners == 3) // dV/da = N/6, N = (b - a) x (d - a); |A| = |N|/2
-        return (Rows){.second = (ab + ad + bd) / 6, .area = bd / 2};
-
-    const real4 c = body->x[face[(corner + 2) % 4]]; // dV/da = (D + N)/12; |A| = |D|/2
-    const double ac = (double)length(c - a);
-    return (Rows){.second = (2 * (ac + bd) + ab + ad + bd) / 12, .area = bd / 2};
-}
-
 /// d(p dV/dx)/dx = p d2V/dx2 + dV/dx (dp/dx)^T: a bound on each part, over the masses.
 static double bound(const Body* body) {
     const Inflation* inflation = &body->inflation;
-    const Mesh* mesh = body->mesh;
-    const double area = measure_volume_gradient(mesh, body->x, inflation->gradient);
-    const double volume = volume_if_gas(body);
-    const double p = pressure_of(inflation, area, volume);
-
-    double second = 0, area2 = 0, volume2 = 0;
-    for (int i = 0; i < body->count; i++) {
-        Rows rows = {0};
-        for (int k = mesh->point_face_from[i]; k < mesh->point_face_from[i + 1]; k++) {
-            const int* face = mesh->face[mesh->point_face[k]];
-            int corner = 0;
-            while (face[corner] != i)
-                corner++;
-            const Rows at = rows_at(body, face, corner);
-            rows.second += at.second;
-            rows.area += at.area;
-        }
-        const double w = (double)body->inverse_mass[i];
-        const double4 g = to_double4(inflation->gradient[i]);
-        second = fmax(second, rows.second * w);
-        area2 += rows.area * rows.area * w;
-        volume2 += ddot(g, g) * w;
-    }
-
-    const double stiff = fabs(p) * second;
+    const SweepSums sums = sweep(body, of_sweep(body));
+    const SweepSteep steep = sweep_steep(body);
+    const double p = pressure_of(inflation, sums.area, sums.volume);
+    const double stiff = fabs(p) * steep.second;
     if (inflation->law == INFLATE_AREA)
-        return stiff + fabs(p) / area * sqrt(area2 * volume2);
+        return stiff + fabs(p) / sums.area * sqrt(steep.area2 * steep.volume2);
     if (inflation->law == INFLATE_GAS)
-        return stiff - gas_slope(inflation, volume) * volume2;
+        return stiff - gas_slope(inflation, sums.volume) * steep.volume2;
     return stiff;
 }
 
@@ -212,10 +158,9 @@ static void product(const Body* body, double factor, const real4* d, real4* out)
 static void stiffen(Body* body, bool project) {
     (void)project;
     Inflation* inflation = &body->inflation;
-    const double area = measure_volume_gradient(body->mesh, body->x, inflation->gradient);
-    const double volume = volume_if_gas(body);
-    inflation->pressure = pressure_of(inflation, area, volume);
-    inflation->slope = inflation->law == INFLATE_GAS ? gas_slope(inflation, volume) : 0;
+    const SweepSums sums = sweep(body, of_sweep(body));
+    inflation->pressure = pressure_of(inflation, sums.area, sums.volume);
+    inflation->slope = inflation->law == INFLATE_GAS ? gas_slope(inflation, sums.volume) : 0;
     if (inflation->paper_tangent)
         inflation->slope *= paper_share;
 }

@@ -3,19 +3,16 @@
 #ifndef BALLOON_FORCE_KERNEL_H
 #define BALLOON_FORCE_KERNEL_H
 
-#include "body/slices.h"
+#include "force/sweep.h"
 #include "force/uniform.h"
-
-/// Sums over the particles of some slices.
-typedef struct SweepSums {
-    double area;   ///< [m^2]
-    double volume; ///< [m^3]
-} SweepSums;
 
 typedef struct Kernels {
     /// sweep.h, over slices from … to - 1. gradient: NULL where it is not wanted.
     SweepSums (*sweep)(const Slices* slices, int from, int to, const real4* x, unsigned wanted,
                        SpringLaw law, real4* f, real4* gradient);
+
+    SweepSteep (*steep)(const Slices* slices, int from, int to, const real4* x,
+                        const real4* gradient, const real* inverse_mass);
 
     /// uniform.h, over particles from … to - 1: f += what acts on all; v += h f / m where h > 0.
     void (*uniform)(const Uniform* uniform, int from, int to, const real4* gradient,

@@ -7,19 +7,35 @@
 ///     volume     V = 1/3 sum over particles of a . dV/da, from an origin on the skin
 ///
 /// with b and c as seen from a. That is mesh/measure.h's gradient, corner by corner: with D and N
-/// there, D + N_a = c x (d - b) + b x d. Skins that are no closed rings take measure.h's own.
+/// there, D + N_a = c x (d - b) + b x d. An open skin's is D / 8 of quads and N / 6 of triangles.
 #ifndef BALLOON_FORCE_SWEEP_H
 #define BALLOON_FORCE_SWEEP_H
 
 #include "body/body.h"
 
 enum {
-    SWEEP_SPRINGS = 1,  ///< into body->f
+    SWEEP_SPRINGS = 1,  ///< added to body->f
     SWEEP_GRADIENT = 2, ///< into body->inflation.gradient
-    SWEEP_AREA = 4,     ///< into body->inflation.area; with the gradient
-    SWEEP_VOLUME = 8    ///< into body->inflation.volume; with the gradient
+    SWEEP_AREA = 4,     ///< with the gradient
+    SWEEP_VOLUME = 8    ///< with the gradient
 };
 
-void sweep(Body* body, unsigned wanted);
+/// Sums over the particles, 0 where not wanted.
+typedef struct SweepSums {
+    double area;   ///< [m^2]
+    double volume; ///< [m^3]
+} SweepSums;
+
+SweepSums sweep(const Body* body, unsigned wanted);
+
+/// Row sums of the second derivative of V, and of dA/dx and dV/dx, over the masses: each entry is
+/// at most a length of an edge or a diagonal, for the gradients are cross products of those.
+typedef struct SweepSteep {
+    double second;  ///< largest over particles a of sum over corners k |d2V / da dx_k| / m_a [m/kg]
+    double area2;   ///< sum of |dA/da|^2 / m_a, its bound [m^2/kg]
+    double volume2; ///< sum of |dV/da|^2 / m_a, at the gradient of the last sweep [m^4/kg]
+} SweepSteep;
+
+SweepSteep sweep_steep(const Body* body);
 
 #endif

@@ -18,13 +18,16 @@ static ALWAYS Lanes3 pull_of(SpringLaw law, Lanes3 d, const real* stiffness, con
     return lanes3_times(lanes_load(stiffness) * share, d);
 }
 
-/// Which of eight faces are triangles: their c is their b.
-static ALWAYS lane_mask is_triangle(const uint32_t* b, const uint32_t* c) {
+/// Which of eight places are the same: of b and c, faces that are triangles.
+static ALWAYS lane_mask same_place(const uint32_t* b, const uint32_t* c) {
     lane_mask same;
     for (int k = 0; k < LANES; k++)
         same[k] = -(lane_bits)(b[k] == c[k]);
     return same;
 }
+
+static const lanes none = {0};
+enum { SWEEP_OPEN = 16 }; ///< the skin has a rim
 
 /// What is summed up around eight particles.
 typedef struct Around {
@@ -50,13 +53,15 @@ static ALWAYS int go_round(const Slices* s, int slice, const real4* x, Lanes3 a,
         if (wanted & SWEEP_GRADIENT) {
             const Lanes3 across = lanes3_minus(next, b);
             const Lanes3 two_areas = lanes3_cross(c, across);
+            const lane_mask triangle = same_place(s->place[slot], s->place[slot + 1]);
+            const lanes share = lanes_select(triangle, (real)4 / 3 + none, 1 + none);
             around->gradient =
-                lanes3_plus(lanes3_plus(around->gradient, two_areas), lanes3_cross(b, across));
-            if (wanted & SWEEP_AREA) {
-                const lanes size = lanes_sqrt(lanes3_dot(two_areas, two_areas));
-                const lane_mask triangle = is_triangle(s->place[slot], s->place[slot + 1]);
-                around->area += lanes_select(triangle, size * ((real)4 / 3), size);
-            }
+                wanted & SWEEP_OPEN
+                    ? lanes3_plus(around->gradient, lanes3_times((real)1.5 * share, two_areas))
+                    : lanes3_plus(lanes3_plus(around->gradient, two_areas),
+                                  lanes3_cross(b, across));
+            if (wanted & SWEEP_AREA)
+                around->area += share * lanes_sqrt(lanes3_dot(two_areas, two_areas));
         }
         b = next;
     }
@@ -115,38 +120,79 @@ static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const re
                           real4* gradient) {                                                       \
         return sweep_slices(s, from, to, x, wanted, law, f, gradient);                             \
     }
-// clang-format off
-SWEEP(hooke,           SWEEP_SPRINGS,                                 LAW_HOOKE)
-SWEEP(hooke_gradient,  SWEEP_SPRINGS | SWEEP_GRADIENT,                LAW_HOOKE)
-SWEEP(hooke_area,      SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,   LAW_HOOKE)
-SWEEP(hooke_volume,    SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME, LAW_HOOKE)
-SWEEP(rubber,          SWEEP_SPRINGS,                                 LAW_RUBBER)
-SWEEP(rubber_gradient, SWEEP_SPRINGS | SWEEP_GRADIENT,                LAW_RUBBER)
-SWEEP(rubber_area,     SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,   LAW_RUBBER)
-SWEEP(rubber_volume,   SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME, LAW_RUBBER)
-SWEEP(tension,          SWEEP_SPRINGS,                                 LAW_TENSION)
-SWEEP(tension_gradient, SWEEP_SPRINGS | SWEEP_GRADIENT,                LAW_TENSION)
-SWEEP(tension_area,     SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,   LAW_TENSION)
-SWEEP(tension_volume,   SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME, LAW_TENSION)
-SWEEP(gradient_alone,  SWEEP_GRADIENT,                                LAW_HOOKE)
-SWEEP(area,            SWEEP_GRADIENT | SWEEP_AREA,                   LAW_HOOKE)
-SWEEP(volume,          SWEEP_GRADIENT | SWEEP_VOLUME,                 LAW_HOOKE)
-// clang-format on
+#define SWEEPS_OF(law_name, springs, law)                                                          \
+    SWEEP(law_name##_gradient, springs | SWEEP_GRADIENT, law)                                      \
+    SWEEP(law_name##_area, springs | SWEEP_GRADIENT | SWEEP_AREA, law)                             \
+    SWEEP(law_name##_volume, springs | SWEEP_GRADIENT | SWEEP_VOLUME, law)                         \
+    SWEEP(law_name##_open, springs | SWEEP_GRADIENT | SWEEP_AREA | SWEEP_OPEN, law)
+SWEEP(hooke, SWEEP_SPRINGS, LAW_HOOKE)
+SWEEP(rubber, SWEEP_SPRINGS, LAW_RUBBER)
+SWEEP(tension, SWEEP_SPRINGS, LAW_TENSION)
+SWEEPS_OF(hooke, SWEEP_SPRINGS, LAW_HOOKE)
+SWEEPS_OF(rubber, SWEEP_SPRINGS, LAW_RUBBER)
+SWEEPS_OF(tension, SWEEP_SPRINGS, LAW_TENSION)
+SWEEPS_OF(alone, 0, LAW_HOOKE)
 
 static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x, unsigned wanted,
                               SpringLaw law, real4* f, real4* gradient) {
-    static SweepSums (*const table[][4])(const Slices*, int, int, const real4*, real4*, real4*) = {
-        {hooke, hooke_gradient, hooke_area, hooke_volume},
-        {rubber, rubber_gradient, rubber_area, rubber_volume},
-        {tension, tension_gradient, tension_area, tension_volume},
-        {NULL, gradient_alone, area, volume},
+    static SweepSums (*const table[][5])(const Slices*, int, int, const real4*, real4*, real4*) = {
+        [LAW_HOOKE] = {hooke, hooke_gradient, hooke_area, hooke_volume, hooke_open},
+        [LAW_RUBBER] = {rubber, rubber_gradient, rubber_area, rubber_volume, rubber_open},
+        [LAW_TENSION] = {tension, tension_gradient, tension_area, tension_volume, tension_open},
+        [SPRING_LAWS] = {NULL, alone_gradient, alone_area, alone_volume, alone_open},
     };
     const int row = wanted & SWEEP_SPRINGS ? (int)law : SPRING_LAWS;
     const int column = !(wanted & SWEEP_GRADIENT) ? 0
+                       : s->open                  ? 4
                        : wanted & SWEEP_AREA      ? 2
                        : wanted & SWEEP_VOLUME    ? 3
                                                   : 1;
     return table[row][column](s, from, to, x, f, gradient);
+}
+
+static ALWAYS lanes length_of(Lanes3 a) {
+    return lanes_sqrt(lanes3_dot(a, a));
+}
+
+/// A quad's row sum is (2 (ac + bd) + ab + ad + bd) / 12, a triangle's (ab + ad + bd) / 6, and its
+/// |dA/da| is bd / 2.
+static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict x,
+                        const real4* restrict gradient, const real* restrict inverse_mass) {
+    lanes second = none;
+    lanes_double area2 = {0}, volume2 = {0};
+    for (int slice = from; slice < to; slice++) {
+        const int i = slice * LANES;
+        const Lanes3 a = lanes3_load(&x[i]), g = lanes3_load(&gradient[i]);
+        const lanes w = lanes_load(&inverse_mass[i]);
+        uint32_t own[LANES];
+        for (int k = 0; k < LANES; k++)
+            own[k] = (uint32_t)((size_t)(i + k) * sizeof(real4));
+        lanes rows = none, area = none;
+        int slot = s->from[slice];
+        const Lanes3 first = lanes3_minus(lanes3_gather(x, s->place[slot]), a);
+        Lanes3 b = first;
+        lanes ab = length_of(b);
+        for (int k = s->faces[slice]; k > 0; k--, slot += 2) {
+            const Lanes3 c = lanes3_minus(lanes3_gather(x, s->place[slot + 1]), a);
+            const Lanes3 d = k > 1 ? lanes3_minus(lanes3_gather(x, s->place[slot + 2]), a) : first;
+            const lanes ac = length_of(c), ad = length_of(d), bd = length_of(lanes3_minus(d, b));
+            const lane_mask triangle = same_place(s->place[slot], s->place[slot + 1]);
+            const lane_mask is = ~same_place(own, s->place[slot + 1]);
+            const lanes three = ab + ad + bd;
+            const lanes row = lanes_select(triangle, 2 * three, 2 * (ac + bd) + three);
+            rows += lanes_select(is, row, none);
+            area += lanes_select(is, bd, none);
+            b = d;
+            ab = ad;
+        }
+        second = lanes_higher(second, rows * w);
+        area2 += to_lanes_double(area * area * w);
+        volume2 += to_lanes_double(lanes3_dot(g, g) * w);
+    }
+    SweepSteep sum = {0, sum_of(area2) / 4, sum_of(volume2)};
+    for (int k = 0; k < LANES; k++)
+        sum.second = fmax(sum.second, (double)second[k] / 12);
+    return sum;
 }
 
 /// Two particles side by side.
@@ -184,7 +230,7 @@ static void add_uniform_wanted(const Uniform* uniform, int from, int to, const r
 }
 
 #ifdef KERNEL_V3
-const Kernels kernels_v3 = {sweep_wanted, add_uniform_wanted};
+const Kernels kernels_v3 = {sweep_wanted, steep, add_uniform_wanted};
 #else
-const Kernels kernels_baseline = {sweep_wanted, add_uniform_wanted};
+const Kernels kernels_baseline = {sweep_wanted, steep, add_uniform_wanted};
 #endif

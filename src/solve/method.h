@@ -40,6 +40,7 @@ typedef struct Effort {
 typedef struct Method {
     const char* name;
     const char* about;
+    bool can_fail;
 
     /// Why this method cannot step this body, or NULL if it can.
     const char* (*refuses)(const Body* body);
@@ -49,7 +50,8 @@ typedef struct Method {
     void* (*open)(Body* body, const Solver* solver);
     void (*close)(void* room);
 
-    /// Velocities of the coming drift. False, and nothing changed, where the step was not solved.
+    /// Velocities of the coming drift. False, and nothing changed, where the step was not solved;
+    /// only where the method can fail.
     bool (*kick)(Body* body, void* room, double h, Effort* effort);
 
     /// Positions after h, and what then is left to do to the velocities. Most take body_drift.

@@ -325,6 +325,7 @@ static bool kick(Body* body, void* self, double h, Effort* effort) {
 const Method method_newton = {
     .name = "newton",
     .about = "backward Euler by Newton and conjugate gradients, order 1, any step",
+    .can_fail = true,
     .open = open,
     .close = close,
     .kick = kick,

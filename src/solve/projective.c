@@ -201,6 +201,7 @@ static bool kick(Body* body, void* self, double h, Effort* effort) {
 const Method method_projective = {
     .name = "projective",
     .about = "local and global steps on a factored matrix, order 1, any step; Hooke's law",
+    .can_fail = true,
     .refuses = refuses,
     .open = open,
     .close = close,

@@ -131,11 +131,14 @@ static void say_factored(World* world, int b, double h) {
 
 /// Kick every balloon by h. Where a method could not solve its step, none is kicked.
 static int kick(World* world, double h) {
+    // velocities before: for what cannot be solved, and for contacts
+    const bool keep = world->method->can_fail || world->collide.sphere_count > 0;
     for (int b = 0; b < world->balloon_count; b++) {
         Balloon* balloon = &world->balloon[b];
         if (balloon->body.asleep)
             continue;
-        memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
+        if (keep)
+            memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
         const bool solved = world->method->kick(&balloon->body, balloon->room, h, &balloon->effort);
         say_factored(world, b, h);
         if (solved)
