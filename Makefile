@@ -40,7 +40,7 @@ libraries = -lassimp -lcyaml -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -l
 
 SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*.cpp))
 # kernels are compiled for the plainest machine of a kind, and again for a newer one (base/cpu.h)
-KERNELS  := $(if $(filter x86_64,$(shell uname -m)),$(wildcard src/*/*_kernel.c))
+KERNELS  := $(if $(filter x86_64,$(shell uname -m)),$(wildcard src/*/*_kernel.c src/force/material_*.c))
 HEADERS  := $(wildcard src/*/*.h)
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*.c)))
 SCENE   ?=

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "mesh/group.h"
 
 const char* const volume_rule_name[VOLUME_RULES] = {"local", "global"};
 
@@ -49,6 +50,36 @@ static void make_element(Membrane* membrane, const int corner[3], double share, 
     membrane->volume += share * h * area;
 }
 
+/// What follows the last element are more of it without rubber.
+static void make_lanes(Membrane* membrane) {
+    membrane->eights = (membrane->count + LANES - 1) / LANES;
+    membrane->lane_corner = new_array(uint32_t[3][LANES], membrane->eights);
+    membrane->lane_rest = new_array(real[4][LANES], membrane->eights);
+    for (int k = 0; k < membrane->eights * LANES; k++) {
+        const bool over = k >= membrane->count;
+        const int e = over ? membrane->count - 1 : k, eight = k / LANES, lane = k % LANES;
+        for (int c = 0; c < 3; c++)
+            membrane->lane_corner[eight][c][lane] =
+                (uint32_t)((size_t)membrane->corner[e][c] * sizeof(real4));
+        for (int r = 0; r < 4; r++)
+            membrane->lane_rest[eight][r][lane] = over && r == 3 ? 0 : membrane->rest[e][r];
+    }
+}
+
+/// Faces in the order of their first particle, so that elements find their corners in cache.
+static void sort_faces(const Mesh* mesh, int* order) {
+    int* key = new_array(int, mesh->face_count);
+    int* from = new_array(int, mesh->point_count + 1);
+    for (int f = 0; f < mesh->face_count; f++) {
+        key[f] = mesh->face[f][0];
+        for (int k = 1; k < face_corners(mesh->face[f]); k++)
+            key[f] = mesh->face[f][k] < key[f] ? mesh->face[f][k] : key[f];
+    }
+    group_by_key(key, mesh->face_count, mesh->point_count, from, order);
+    free(key);
+    free(from);
+}
+
 void membrane_make(Membrane* membrane, const Mesh* mesh, const real4* x, const double* thickness,
                    const Rubber* rubber) {
     int count = 0;
@@ -61,15 +92,20 @@ void membrane_make(Membrane* membrane, const Mesh* mesh, const real4* x, const d
         .first = new_array(real, count),
         .thickness = new_array(real, count),
     };
+    int* order = new_array(int, mesh->face_count);
+    sort_faces(mesh, order);
     for (int f = 0; f < mesh->face_count; f++) {
-        const Split* split = split_of(mesh->face[f], x);
+        const int* face = mesh->face[order[f]];
+        const Split* split = split_of(face, x);
         for (int k = 0; k < split->count; k++) {
             int corner[3];
             for (int c = 0; c < 3; c++)
-                corner[c] = mesh->face[f][split->corner[k][c]];
+                corner[c] = face[split->corner[k][c]];
             make_element(membrane, corner, split->share, x, thickness);
         }
     }
+    free(order);
+    make_lanes(membrane);
 }
 
 void membrane_add_mass(const Membrane* membrane, double* mass) {
@@ -113,5 +149,7 @@ void membrane_free(Membrane* membrane) {
     free(membrane->rest);
     free(membrane->first);
     free(membrane->thickness);
+    free(membrane->lane_corner);
+    free(membrane->lane_rest);
     *membrane = (Membrane){0};
 }

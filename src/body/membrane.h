@@ -17,6 +17,7 @@
 #ifndef BALLOON_BODY_MEMBRANE_H
 #define BALLOON_BODY_MEMBRANE_H
 
+#include "base/lanes.h"
 #include "mesh/mesh.h"
 
 typedef struct Material Material;
@@ -50,6 +51,12 @@ typedef struct Membrane {
     real* first;        ///< [count] h0 [m]
     real* thickness;    ///< [count] h as the material reads it [m]
     double volume;      ///< sum of h0 A0 [m^3]
+
+    // the same, eight elements side by side; what is over has no rubber
+    int eights; ///< how many eights there are
+    uint32_t (
+        *lane_corner)[3][LANES]; ///< [eights] particles, in bytes from the start of a real4 array
+    real (*lane_rest)[4][LANES]; ///< [eights] r0 … r3
 } Membrane;
 
 /// Elements of the mesh at the positions x, which are at rest there.

@@ -1,5 +1,6 @@
 #include "force/material.h"
 
+#include "base/cpu.h"
 #include "base/table.h"
 
 const Material* const material_table[] = {
@@ -17,6 +18,10 @@ const Material* material_find(const char* name) {
 const char* material_names(void) {
     static char names[256];
     return table_names(material_table, material_count, names, sizeof names);
+}
+
+const ElementLoops* material_loops(const Material* material) {
+    return material->v3 && cpu_is_v3() ? material->v3 : &material->loops;
 }
 
 void material_add(Body* body, const double* thickness, const Rubber* rubber) {

@@ -15,6 +15,22 @@
 #include "base/fault.h"
 #include "force/force.h"
 
+/// The loops over elements that a step makes (membrane_lanes.inc).
+typedef struct ElementLoops {
+    /// f += force of every element on its corners. [N]
+    void (*add)(const Membrane* membrane, const real4* x, real4* f);
+
+    /// Upper bound on the elements' squared frequencies [1/s^2].
+    double (*bound)(const Membrane* membrane, const real4* x);
+} ElementLoops;
+
+#ifdef __x86_64__
+extern const ElementLoops neo_hookean_v3, mooney_rivlin_v3, stvk_v3, stvk_3d_v3;
+#define V3_LOOPS(loops) &loops
+#else
+#define V3_LOOPS(loops) NULL
+#endif
+
 struct Material {
     const char* name;
     const char* about;
@@ -29,22 +45,22 @@ struct Material {
     /// Energy per rest volume, t = h/h0 where the law reads it. [J/m^3]
     double (*energy)(const double constant[2], double t, double I, double D);
 
-    /// f += force of every element on its corners. [N]
-    void (*add)(const Membrane* membrane, const real4* x, real4* f);
-
     /// Force.assemble of every element, factor times K; `project` takes out what is not positive
     /// definite.
     void (*assemble)(const Membrane* membrane, const real4* x, real factor, bool project,
                      const int* slot, Block* value);
 
-    /// Upper bound on the elements' squared frequencies [1/s^2].
-    double (*bound)(const Membrane* membrane, const real4* x);
+    ElementLoops loops;
+    const ElementLoops* v3; ///< for an x86-64-v3
 };
 
 extern const Material material_neo_hookean, material_mooney_rivlin, material_stvk, material_stvk_3d;
 
 extern const Material* const material_table[];
 extern const int material_count;
+
+/// The loops for this machine.
+const ElementLoops* material_loops(const Material* material);
 
 /// Give a body a skin of rubber (body_add_membrane) with the material's constants.
 void material_add(Body* body, const double* thickness, const Rubber* rubber);

@@ -1,14 +1,21 @@
 /// St. Venant-Kirchhoff in plane stress: W = mu e:e + L/2 (tr e)^2 with Green's strain
 /// e = (C - 1)/2, mu = E / (2 (1 + nu)), L = E nu / (1 - nu^2). Right for small strain; a balloon
 /// of it has no pressure peak, and it has no strength in compression.
-#include "force/material.h"
-#include "force/membrane_kernel.inc"
+#define LAW(number, Law, law)                                                                      \
+    static inline Law law(const real k[2], number t, number I, number D) {                         \
+        (void)t, (void)D;                                                                          \
+        const real mu = k[0], L = k[1];                                                            \
+        return (Law){.w1 = mu * (I - 1) / 2 + L * (I - 2) / 4,                                     \
+                     .w2 = -mu / 2 + (number){0},                                                  \
+                     .w11 = mu / 2 + L / 4 + (number){0}};                                         \
+    }
 
-static inline Law law(const real k[2], real t, real I, real D) {
-    (void)t, (void)D;
-    const real mu = k[0], L = k[1];
-    return (Law){.w1 = mu * (I - 1) / 2 + L * (I - 2) / 4, .w2 = -mu / 2, .w11 = mu / 2 + L / 4};
-}
+#include "force/membrane_lanes.inc"
+
+#ifdef KERNEL_V3
+const ElementLoops stvk_v3 = {add_elements, bound_elements};
+#else
+#include "force/membrane_kernel.inc"
 
 static double energy(const double k[2], double t, double I, double D) {
     (void)t;
@@ -28,7 +35,8 @@ const Material material_stvk = {
     .poisson_most = 0.5,
     .constants = constants,
     .energy = energy,
-    .add = add_elements,
     .assemble = assemble_elements,
-    .bound = bound_elements,
+    .loops = {add_elements, bound_elements},
+    .v3 = V3_LOOPS(stvk_v3),
 };
+#endif

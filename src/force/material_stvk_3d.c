@@ -2,15 +2,22 @@
 /// with Green's strain e = (C - 1)/2, g = (t^2 - 1)/2 from the thickness t = h/h0, which is a
 /// parameter that volume preservation sets between steps. mu = E / (2 (1 + nu)), L = E nu / ((1 +
 /// nu) (1 - 2 nu)), so nu must stay below 1/2. Source: eq. 6 and 9 of the paper.
-#include "force/material.h"
-#include "force/membrane_kernel.inc"
+#define LAW(number, Law, law)                                                                      \
+    static inline Law law(const real k[2], number t, number I, number D) {                         \
+        (void)D;                                                                                   \
+        const real mu = k[0], L = k[1];                                                            \
+        const number g = (t * t - 1) / 2;                                                          \
+        return (Law){.w1 = mu * (I - 1) / 2 + L * ((I - 2) / 2 + g) / 2,                           \
+                     .w2 = -mu / 2 + (number){0},                                                  \
+                     .w11 = mu / 2 + L / 4 + (number){0}};                                         \
+    }
 
-static inline Law law(const real k[2], real t, real I, real D) {
-    (void)D;
-    const real mu = k[0], L = k[1], g = (t * t - 1) / 2;
-    return (Law){
-        .w1 = mu * (I - 1) / 2 + L * ((I - 2) / 2 + g) / 2, .w2 = -mu / 2, .w11 = mu / 2 + L / 4};
-}
+#include "force/membrane_lanes.inc"
+
+#ifdef KERNEL_V3
+const ElementLoops stvk_3d_v3 = {add_elements, bound_elements};
+#else
+#include "force/membrane_kernel.inc"
 
 static double energy(const double k[2], double t, double I, double D) {
     const double g = (t * t - 1) / 2, trace = (I - 2) / 2 + g;
@@ -32,7 +39,8 @@ const Material material_stvk_3d = {
     .reads_thickness = true,
     .constants = constants,
     .energy = energy,
-    .add = add_elements,
     .assemble = assemble_elements,
-    .bound = bound_elements,
+    .loops = {add_elements, bound_elements},
+    .v3 = V3_LOOPS(stvk_3d_v3),
 };
+#endif

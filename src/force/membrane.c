@@ -8,7 +8,7 @@ static bool present(const Body* body) {
 }
 
 static void add(Body* body) {
-    body->membrane.rubber.material->add(&body->membrane, body->x, body->f);
+    material_loops(body->membrane.rubber.material)->add(&body->membrane, body->x, body->f);
 }
 
 static double energy(const Body* body) {
@@ -29,7 +29,7 @@ static double energy(const Body* body) {
 }
 
 static double bound(const Body* body) {
-    return body->membrane.rubber.material->bound(&body->membrane, body->x);
+    return material_loops(body->membrane.rubber.material)->bound(&body->membrane, body->x);
 }
 
 static Stencils stencils(const Body* body) {
