@@ -63,6 +63,8 @@ static void make_lanes(Membrane* membrane) {
                 (uint32_t)((size_t)membrane->corner[e][c] * sizeof(real4));
         for (int r = 0; r < 4; r++)
             membrane->lane_rest[eight][r][lane] = over && r == 3 ? 0 : membrane->rest[e][r];
+        if (over) // the array has room up to the next eight
+            membrane->first[k] = 1;
     }
 }
 
