@@ -36,7 +36,7 @@ typedef struct Options {
     const char* obj;
     const char* mode;
     const char* fit;
-    bool hash, time, quiet, overlay, quick, all;
+    bool hash, time, quiet, overlay, keep, quick, all;
     SceneSet set[SETS_MOST];
     int set_count;
     char typed[SETS_MOST][256]; ///< texts of the sets that options such as --step stand for
@@ -70,6 +70,7 @@ static const Option option_table[] = {
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages",           FLAG(time)},
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
+    {"--keep",      NULL,       "bench: keep these figures, to compare later ones with", FLAG(keep)},
     {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement",  FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is; needs: every scene",                    FLAG(all)},
     {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", TEXT(fit)},
@@ -258,8 +259,11 @@ static bool verb_bench(const Options* options, Fault* fault) {
     const BenchCase* one = options->target ? bench_find(options->target) : NULL;
     if (options->target && !one)
         return fault_set(fault, options->target, "no such bench; see balloon list");
+    const BenchOptions bench = {.quick = options->quick,
+                                .keep = options->keep,
+                                .out = options->out ? options->out : "out"};
     for (int k = 0; k < bench_count; k++)
-        if ((!one || one == bench_table[k]) && !bench_table[k]->run(options->quick, fault))
+        if ((!one || one == bench_table[k]) && !bench_table[k]->run(&bench, fault))
             return false;
     return true;
 }

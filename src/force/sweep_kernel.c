@@ -20,10 +20,11 @@ static ALWAYS Lanes3 pull_of(SpringLaw law, Lanes3 d, const real* stiffness, con
 
 /// Which of eight places are the same: of b and c, faces that are triangles.
 static ALWAYS lane_mask same_place(const uint32_t* b, const uint32_t* c) {
-    lane_mask same;
-    for (int k = 0; k < LANES; k++)
-        same[k] = -(lane_bits)(b[k] == c[k]);
-    return same;
+    typedef uint32_t places __attribute__((vector_size(LANES * sizeof(uint32_t))));
+    places one, other;
+    __builtin_memcpy(&one, b, sizeof one);
+    __builtin_memcpy(&other, c, sizeof other);
+    return __builtin_convertvector(one == other, lane_mask);
 }
 
 static const lanes none = {0};
@@ -68,22 +69,26 @@ static ALWAYS int go_round(const Slices* s, int slice, const real4* x, Lanes3 a,
     return slot;
 }
 
-static ALWAYS lanes_double to_lanes_double(lanes a) {
-    return __builtin_convertvector(a, lanes_double);
+/// Sums of eight lanes in double; lanes a and a + 4 together.
+static ALWAYS double4 to_sums(lanes a) {
+    return to_double4(lanes_low(a)) + to_double4(lanes_high(a));
+}
+
+/// Products of eight lanes with b, from an origin.
+static ALWAYS double4 to_moments(lanes a, double origin, lanes b) {
+    return (to_double4(lanes_low(a)) - origin) * to_double4(lanes_low(b)) +
+           (to_double4(lanes_high(a)) - origin) * to_double4(lanes_high(b));
 }
 
 /// In the order of the lanes, so that every machine rounds alike.
-static double sum_of(lanes_double a) {
-    double sum = 0;
-    for (int k = 0; k < LANES; k++)
-        sum += a[k];
-    return sum;
+static ALWAYS double sum_of(double4 a) {
+    return a[0] + a[1] + a[2] + a[3];
 }
 
 static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const real4* restrict x,
                                      unsigned wanted, SpringLaw law, real4* restrict f,
                                      real4* restrict gradient) {
-    lanes_double area = {0}, volume = {0};
+    double4 area = {0}, volume = {0};
     const double4 origin = to_double4(x[0]);
     for (int slice = from; slice < to; slice++) {
         const int i = slice * LANES;
@@ -105,11 +110,10 @@ static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const re
         if (wanted & SWEEP_GRADIENT) {
             const Lanes3 g = lanes3_times((real)1 / 12 + (lanes){0}, around.gradient);
             lanes3_store(&gradient[i], g);
-            area += to_lanes_double(around.area);
+            area += to_sums(around.area);
             if (wanted & SWEEP_VOLUME)
-                volume += (to_lanes_double(a.x) - origin[0]) * to_lanes_double(g.x) +
-                          (to_lanes_double(a.y) - origin[1]) * to_lanes_double(g.y) +
-                          (to_lanes_double(a.z) - origin[2]) * to_lanes_double(g.z);
+                volume += to_moments(a.x, origin[0], g.x) + to_moments(a.y, origin[1], g.y) +
+                          to_moments(a.z, origin[2], g.z);
         }
     }
     return (SweepSums){sum_of(area) / 8, sum_of(volume) / 3};
@@ -159,7 +163,7 @@ static ALWAYS lanes length_of(Lanes3 a) {
 static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict x,
                         const real4* restrict gradient, const real* restrict inverse_mass) {
     lanes second = none;
-    lanes_double area2 = {0}, volume2 = {0};
+    double4 area2 = {0}, volume2 = {0};
     for (int slice = from; slice < to; slice++) {
         const int i = slice * LANES;
         const Lanes3 a = lanes3_load(&x[i]), g = lanes3_load(&gradient[i]);
@@ -186,8 +190,8 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
             ab = ad;
         }
         second = lanes_higher(second, rows * w);
-        area2 += to_lanes_double(area * area * w);
-        volume2 += to_lanes_double(lanes3_dot(g, g) * w);
+        area2 += to_sums(area * area * w);
+        volume2 += to_sums(lanes3_dot(g, g) * w);
     }
     SweepSteep sum = {0, sum_of(area2) / 4, sum_of(volume2)};
     for (int k = 0; k < LANES; k++)

@@ -190,8 +190,8 @@ static bool time_peer(int c, int quick, Cost* cost, Fault* fault) {
     return true;
 }
 
-static bool run(bool quick, Fault* fault) {
-    const int side = size_table[quick].side;
+static bool run(const BenchOptions* options, Fault* fault) {
+    const int side = size_table[options->quick].side;
     printf("%d triangles, step %g s; CPU time in ms a step\n", 12 * side * side, step_length);
     printf("%-12s | %8s %8s %8s %17s %6s | %30s\n", "", "", "", "all of", "contacts alone", "", "");
     printf("%-12s | %8s %8s %8s %8s %8s %6s | %8s %8s %8s %8s\n", "balls", "touching", "contacts",
@@ -199,7 +199,8 @@ static bool run(bool quick, Fault* fault) {
     Cost none = {0};
     for (int c = 0; c < CASES; c++) {
         Cost ours, peer;
-        if (!time_ours(c, quick, &ours, fault) || !time_peer(c, quick, &peer, fault))
+        if (!time_ours(c, options->quick, &ours, fault) ||
+            !time_peer(c, options->quick, &peer, fault))
             return false;
         const bool touch = case_table[c].away <= 0;
         if (touch && (ours.touching < case_table[c].spheres || peer.touching == 0))

@@ -9,16 +9,16 @@
 
 enum { SEED = 1, ROWS = 12, MINUTES_A_ROW = 5 };
 
-static bool run(bool quick, Fault* fault) {
+static bool run(const BenchOptions* options, Fault* fault) {
     Storm storm;
     if (!storm_open(&storm, SEED, fault))
         return false;
-    const long row = quick ? 60 * STORM_RATE : MINUTES_A_ROW * 60 * STORM_RATE;
+    const long row = options->quick ? 60 * STORM_RATE : MINUTES_A_ROW * 60 * STORM_RATE;
     long looks = 0, astray = 0;
     bool good = true;
     printf("%12s %8s %14s %14s %10s %12s\n", "simulated s", "throws", "pass-throughs",
            "balls looked at", "gone astray", "CPU s");
-    for (int k = 0; good && k < (quick ? 1 : ROWS); k++) {
+    for (int k = 0; good && k < (options->quick ? 1 : ROWS); k++) {
         const clock_t start = clock();
         for (long n = 1; good && n <= row; n++) {
             good = storm_step(&storm, fault) && !storm.world.blowup.halted;

@@ -126,14 +126,14 @@ static bool throw_all(int side, bool quick, Sum* sum, Fault* fault) {
     return true;
 }
 
-static bool run(bool quick, Fault* fault) {
+static bool run(const BenchOptions* options, Fault* fault) {
     long through = 0;
     int bad = 0;
     printf("%8s %8s %14s %12s %16s %24s\n", "quads", "throws", "pass-throughs", "went bad",
            "ms a throw", "through Bullet's skin");
-    for (int k = 0; k < (quick ? 1 : SIDES); k++) {
+    for (int k = 0; k < (options->quick ? 1 : SIDES); k++) {
         Sum sum = {0};
-        if (!throw_all(side_table[k], quick, &sum, fault))
+        if (!throw_all(side_table[k], options->quick, &sum, fault))
             return false;
         printf("%8d %8d %14ld %12d %16.1f %17d of %3d\n", 6 * side_table[k] * side_table[k],
                sum.throws, sum.pass_throughs, sum.bad, 1e3 * sum.seconds / sum.throws,

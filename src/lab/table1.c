@@ -98,13 +98,13 @@ static bool run_row(int row, int effort, int frames, Fault* fault) {
     return true;
 }
 
-static bool run(bool quick, Fault* fault) {
+static bool run(const BenchOptions* options, Fault* fault) {
     for (int effort = 0; effort < EFFORTS; effort++) {
         printf("%s\n%-18s %8s %8s %7s %9s %9s %7s %7s %9s %14s %8s\n", effort_table[effort].about,
                "model", "vertices", "elements", "frames", "ms/frame", "paper's", "times", "Newton",
                "products", "rubber - 1", "worst");
         for (int row = 0; row < ROWS; row++)
-            if (!run_row(row, effort, quick ? FRAMES_QUICK : FRAMES, fault))
+            if (!run_row(row, effort, options->quick ? FRAMES_QUICK : FRAMES, fault))
                 return false;
     }
     return true;

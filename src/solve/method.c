@@ -31,8 +31,8 @@ static void damping_rates(const Body* body, double* least, double* most) {
         if (body->inverse_mass[i] <= 0)
             continue;
         const double rate = body_drag(body, i) * (double)body->inverse_mass[i];
-        *least = fmin(*least, rate);
-        *most = fmax(*most, rate);
+        *least = rate < *least ? rate : *least;
+        *most = rate > *most ? rate : *most;
     }
     *least = fmin(*least, *most); // where nothing moves
 }

@@ -84,6 +84,11 @@ ok "version says the precision" grep -q double <("$double" --version)
 
 ok "a bench counts what passes through" grep -qE "^ +384 +1[0-9] +0 +0 .* of +1[0-9]$" <("$balloon" bench contacts --quick)
 ok "a bench times what contacts cost" grep -qE "^16 touching +\| +16 " <("$balloon" bench contact-cost --quick)
+XDG_CACHE_HOME=$scratch/cache "$balloon" bench speed --quick --out "$scratch/bench" >"$scratch/speed"
+ok "a bench says what a step costs" grep -qE "^membrane +11096  per triangle +[0-9.]+ " "$scratch/speed"
+ok "and writes it down" grep -qE "^springs,11096,step,us,[0-9.]+,[0-9.]+,0$" "$scratch/bench/bench-speed.csv"
+ok "and keeps it to compare with" grep -qE "^springs +11096  touched .* 1.000$" \
+    <(XDG_CACHE_HOME=$scratch/cache "$balloon" bench speed --quick --out "$scratch/bench")
 bad "no such bench" "$balloon" bench nothing
 
 # --- an install
