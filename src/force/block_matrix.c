@@ -37,7 +37,7 @@ void block_matrix_make(BlockMatrix* matrix, int count, const int (*pair)[2], int
         matrix->from[i + 1] = matrix->from[i] + 1 + at[i];
     }
     matrix->column = new_array(int, matrix->from[count]);
-    matrix->value = new_array(Block, matrix->from[count]);
+    matrix->value = new_array(Block, matrix->from[count] + 1);
     for (int i = 0; i < count; i++) {
         int* row = &matrix->column[matrix->from[i]];
         row[0] = i;

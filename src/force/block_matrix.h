@@ -18,7 +18,7 @@ typedef struct BlockMatrix {
     int count;    ///< rows
     int* from;    ///< [count + 1] where row i's blocks begin
     int* column;  ///< [from[count]] which column each block is in
-    Block* value; ///< [from[count]]
+    Block* value; ///< [from[count] + 1] the last one stays empty
 } BlockMatrix;
 
 /// Make the zero matrix that has the diagonal and these (row, column), each as often as it likes.

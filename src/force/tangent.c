@@ -71,6 +71,10 @@ void tangent_ready(Tangent* tangent, Body* body, double factor, bool project) {
 void tangent_multiply(const Tangent* tangent, const Body* body, double factor, const real4* d,
                       real4* out) {
     block_matrix_multiply(&tangent->matrix, d, out);
+    tangent_add_dense(body, factor, d, out);
+}
+
+void tangent_add_dense(const Body* body, double factor, const real4* d, real4* out) {
     for (int f = 0; f < force_count; f++)
         if (force_table[f]->product && force_table[f]->present(body))
             force_table[f]->product(body, factor, d, out);

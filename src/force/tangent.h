@@ -28,6 +28,9 @@ void tangent_ready(Tangent* tangent, Body* body, double factor, bool project);
 void tangent_multiply(const Tangent* tangent, const Body* body, double factor, const real4* d,
                       real4* out);
 
+/// The part of it that is not in the matrix: out += factor K d.
+void tangent_add_dense(const Body* body, double factor, const real4* d, real4* out);
+
 void tangent_close(Tangent* tangent);
 
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "mesh/mesh.h"
 
 enum {
     COARSEST = 24, ///< rows that are few enough for a full matrix
@@ -129,7 +130,7 @@ static void follow(const Level* fine, BlockMatrix* coarse) {
 static void open_level(Level* level, const BlockMatrix* matrix) {
     const int n = matrix->count;
     level->matrix = matrix;
-    level->inverse = new_array(Block, n);
+    block_slices_make(&level->slices, matrix);
     level->x = new_array(real4, n);
     level->b = new_array(real4, n);
     level->left = new_array(real4, n);
@@ -162,15 +163,6 @@ void multilevel_open(Multilevel* levels, const BlockMatrix* matrix, const real* 
 }
 
 /// The inverse of a symmetric block by its cofactors; zero where it has none.
-static Block inverse_of(const Block* block) {
-    const real4 a = block->column[0], b = block->column[1], c = block->column[2];
-    const real4 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const real det = dot(a, bc);
-    if (!(det > 0))
-        return (Block){0};
-    return (Block){{bc / det, ca / det, ab / det}};
-}
-
 /// Cholesky's factor of the coarsest matrix; a direction in which it is not positive is left out.
 static void factorize(const BlockMatrix* matrix, double* factor) {
     const int side = 3 * matrix->count;
@@ -223,22 +215,9 @@ void multilevel_ready(Multilevel* levels, bool all) {
             return;
         if (l > 0)
             follow(level - 1, &level->own);
-        for (int i = 0; i < level->matrix->count; i++)
-            level->inverse[i] = inverse_of(block_matrix_diagonal(level->matrix, i));
+        block_kernels()->copy(level->matrix, damped, &level->slices);
     }
     factorize(levels->level[levels->count - 1].matrix, levels->factor);
-}
-
-/// left = b - A x
-static void remain(const Level* level, const real4* restrict b, const real4* restrict x,
-                   real4* restrict left) {
-    const BlockMatrix* matrix = level->matrix;
-    for (int i = 0; i < matrix->count; i++) {
-        real4 sum = b[i];
-        for (int k = matrix->from[i]; k < matrix->from[i + 1]; k++)
-            sum -= block_times(&matrix->value[k], x[matrix->column[k]]);
-        left[i] = sum;
-    }
 }
 
 /// coarse b = P^T left
@@ -259,10 +238,9 @@ static void prolong(const Level* fine, const Level* coarse, real4* x) {
 }
 
 /// x += w D^-1 (b - A x)
-static void smooth(const Level* level, const real4* restrict b, real4* restrict x) {
-    remain(level, b, x, level->left);
-    for (int i = 0; i < level->matrix->count; i++)
-        x[i] += damped * block_times(&level->inverse[i], level->left[i]);
+static void smooth(const Level* level, const real4* b, real4* x) {
+    block_kernels()->relax(&level->slices, b, x, level->left);
+    memcpy(x, level->left, (size_t)level->matrix->count * sizeof *x);
 }
 
 /// Bring x nearer to A^-1 b, from where it is or from zero.
@@ -273,12 +251,11 @@ static void cycle(Multilevel* levels, int l, const real4* b, real4* x, bool from
         return;
     }
     if (from_zero)
-        for (int i = 0; i < level->matrix->count; i++)
-            x[i] = damped * block_times(&level->inverse[i], b[i]);
+        block_kernels()->begin(&level->slices, b, x);
     else
         smooth(level, b, x);
 
-    remain(level, b, x, level->left);
+    block_kernels()->remain(&level->slices, b, x, level->left);
     restrict_to(level, level + 1);
     const int turns = l + 2 < levels->count ? TURNS : 1; // what is solved needs no second one
     for (int turn = 0; turn < turns; turn++)
@@ -291,10 +268,14 @@ void multilevel_apply(Multilevel* levels, const real4* b, real4* out) {
     cycle(levels, 0, b, out, true);
 }
 
+void multilevel_multiply(const Multilevel* levels, const real4* d, real4* out) {
+    block_kernels()->multiply(&levels->level[0].slices, d, out);
+}
+
 void multilevel_close(Multilevel* levels) {
     for (int l = 0; l < levels->count; l++) {
         Level* level = &levels->level[l];
-        free(level->inverse);
+        block_slices_free(&level->slices);
         free(level->x);
         free(level->b);
         free(level->left);

@@ -15,7 +15,9 @@
 #ifndef BALLOON_SOLVE_MULTILEVEL_H
 #define BALLOON_SOLVE_MULTILEVEL_H
 
-#include "force/tangent.h"
+#include <stdbool.h>
+
+#include "force/block_slices.h"
 
 /// P of a level: row i's value is sum of weight times the coarse value.
 typedef struct Transfer {
@@ -26,13 +28,13 @@ typedef struct Transfer {
 
 typedef struct Level {
     const BlockMatrix* matrix;
-    Block* inverse;    ///< [rows] of the diagonal blocks
-    real4* x;          ///< [rows] the level's answer
-    real4* b;          ///< [rows] the level's right side; the finest's is the caller's
-    real4* left;       ///< [rows] b - A x
-    Transfer transfer; ///< to the next level; empty on the coarsest
-    int* slot;         ///< where each part of P^T A P goes in the next level's matrix
-    BlockMatrix own;   ///< of all but the finest
+    BlockSlices slices; ///< the matrix for products, and w D^-1
+    real4* x;           ///< [rows] the level's answer
+    real4* b;           ///< [rows] the level's right side; the finest's is the caller's
+    real4* left;        ///< [rows] b - A x
+    Transfer transfer;  ///< to the next level; empty on the coarsest
+    int* slot;          ///< where each part of P^T A P goes in the next level's matrix
+    BlockMatrix own;    ///< of all but the finest
 } Level;
 
 enum { LEVELS_MOST = 12 };
@@ -53,6 +55,9 @@ void multilevel_ready(Multilevel* levels, bool all);
 
 /// out = one cycle for the right side b
 void multilevel_apply(Multilevel* levels, const real4* b, real4* out);
+
+/// out = the matrix, as it was when the levels last followed it, times d
+void multilevel_multiply(const Multilevel* levels, const real4* d, real4* out);
 
 void multilevel_close(Multilevel* levels);
 

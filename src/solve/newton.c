@@ -23,11 +23,13 @@
 
 static const Solver usual = {.iterations = 50, .tolerance = 1e-6, .linear_tolerance = 1e-2};
 
-enum {
-    PRODUCTS_MOST = 2000,
-    PRODUCTS_USUAL = 40, ///< more than these, and the coarser skins follow the next tangent too
-    HALVINGS_MOST = 40
-};
+enum { PRODUCTS_MOST = 2000, HALVINGS_MOST = 40 };
+
+/// The coarser skins keep following an old tangent until a linear solution takes this many times
+/// the products that it took when they were new, and as many more. [1]
+static const double stale_share = 1.25;
+static const int stale_more = 2;
+enum { STALE_AGE = 20 }; ///< nor for more tangents than these
 
 /// No particle goes farther in one iteration, for the tangent knows nothing of what is there. [of
 /// the body's size]
@@ -45,6 +47,10 @@ typedef struct Room {
     real4* ready;    ///< [count] preconditioned remainder
     Tangent tangent; ///< A
     Multilevel levels;
+    double
+        levels_h; ///< step of the tangent that the coarser skins follow [s]; 0: none that is good
+    int age;      ///< tangents since then
+    int fresh;    ///< products of the first solution with it; 0: not known yet
 } Room;
 
 static void* open(Body* body, const Solver* solver) {
@@ -145,7 +151,7 @@ static double potential(const Body* body, const Room* room, double h) {
 /// A, at the present x'. Returns the rounding of R: a position is right to half of its last bit,
 /// and K turns that into force; so is a velocity. 1/2 to 3/4 of this is what is reached, in both
 /// precisions.
-static double ready(Body* body, Room* room, double h, bool project, bool first) {
+static double ready(Body* body, Room* room, double h, bool project) {
     tangent_ready(&room->tangent, body, h * h, project);
     double noise = 0;
     for (int i = 0; i < body->count; i++) {
@@ -158,13 +164,19 @@ static double ready(Body* body, Room* room, double h, bool project, bool first) 
         }
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i]));
     }
-    multilevel_ready(&room->levels, first);
+    const bool all = project || room->levels_h != h;
+    multilevel_ready(&room->levels, all);
+    if (all)
+        room->fresh = room->age = 0;
+    room->age++;
+    room->levels_h = room->age < STALE_AGE ? h : 0;
     return (double)REAL_EPSILON / 2 * sqrt(noise);
 }
 
 /// out = A d
 static void multiply(const Body* body, const Room* room, const real4* d, double h, real4* out) {
-    tangent_multiply(&room->tangent, body, h * h, d, out);
+    multilevel_multiply(&room->levels, d, out);
+    tangent_add_dense(body, h * h, d, out);
     for (int i = 0; i < body->count; i++)
         if (!(body->inverse_mass[i] > 0))
             out[i] = (real4){0, 0, 0, 0};
@@ -261,13 +273,20 @@ static void put_back(Body* body, const Room* room) {
 }
 
 /// dv by the full tangent, or where that is not positive by the part of it that is, which also
-/// leads downhill. The coarser skins follow the first tangent of a step, and a
-/// later one where they have become too far off.
+/// leads downhill.
 static void find_change(Body* body, Room* room, double h, Effort* effort) {
-    if (solve_linear(body, room, h, effort))
+    const int before = effort->products;
+    if (!solve_linear(body, room, h, effort)) {
+        ready(body, room, h, true);
+        solve_linear(body, room, h, effort);
+        room->levels_h = 0;
         return;
-    ready(body, room, h, true, true);
-    solve_linear(body, room, h, effort);
+    }
+    const int products = effort->products - before;
+    if (room->fresh == 0)
+        room->fresh = products;
+    else if (products > stale_share * room->fresh + stale_more)
+        room->levels_h = 0;
 }
 
 static bool solve(Body* body, Room* room, double size, double h, Effort* effort) {
@@ -275,16 +294,13 @@ static bool solve(Body* body, Room* room, double size, double h, Effort* effort)
     const bool counted = solver->tolerance < 0;
     const double scale = fmax(size, measure_of(body, h));
     double enough = counted ? -1 : solver->tolerance * scale;
-    bool stale = true;
     while (effort->iterations < solver->iterations && size > enough) {
-        const int before = effort->products;
-        const double rounding = ready(body, room, h, false, stale);
+        const double rounding = ready(body, room, h, false);
         if (!counted)
             enough = fmax(enough, rounding);
         if (size <= enough)
             break;
         find_change(body, room, h, effort);
-        stale = effort->products - before > PRODUCTS_USUAL;
         size = take(body, room, size, rounding, h);
         effort->iterations++;
         if (!(size >= 0))
