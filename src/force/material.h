@@ -15,10 +15,15 @@
 #include "base/fault.h"
 #include "force/force.h"
 
-/// The loops over elements that a step makes (membrane_lanes.inc).
+/// The loops over elements that a step makes (membrane_lanes.inc, membrane_kernel.inc).
 typedef struct ElementLoops {
     /// f += force of every element on its corners. [N]
     void (*add)(const Membrane* membrane, const real4* x, real4* f);
+
+    /// Force.assemble of every element, factor times K; `project` takes out what is not positive
+    /// definite.
+    void (*assemble)(const Membrane* membrane, const real4* x, real factor, bool project,
+                     const int* slot, Block* value);
 
     /// Upper bound on the elements' squared frequencies [1/s^2].
     double (*bound)(const Membrane* membrane, const real4* x);
@@ -44,11 +49,6 @@ struct Material {
 
     /// Energy per rest volume, t = h/h0 where the law reads it. [J/m^3]
     double (*energy)(const double constant[2], double t, double I, double D);
-
-    /// Force.assemble of every element, factor times K; `project` takes out what is not positive
-    /// definite.
-    void (*assemble)(const Membrane* membrane, const real4* x, real factor, bool project,
-                     const int* slot, Block* value);
 
     ElementLoops loops;
     const ElementLoops* v3; ///< for an x86-64-v3

@@ -1,23 +1,21 @@
 /// Mooney-Rivlin rubber, incompressible: W = C1 (I + 1/D - 3) + C2 (D + I/D - 3), E = 6 (C1 + C2).
 /// Stiffens at large stretch; above C2/C1 = 0.2144 a balloon has no pressure peak. Source: R. W.
 /// Ogden, Non-linear elastic deformations, 1984.
-#define LAW(number, Law, law)                                                                      \
-    static inline Law law(const real k[2], number t, number I, number D) {                         \
-        (void)t;                                                                                   \
-        const real c1 = k[0], c2 = k[1];                                                           \
-        const number inverse = 1 / D, inverse2 = inverse * inverse;                                \
-        return (Law){.w1 = c1 + c2 * inverse,                                                      \
-                     .w2 = c2 - (c1 + c2 * I) * inverse2,                                          \
-                     .w12 = -c2 * inverse2,                                                        \
-                     .w22 = 2 * (c1 + c2 * I) * inverse2 * inverse};                               \
-    }
+#include "force/membrane_kernel.inc"
 
-#include "force/membrane_lanes.inc"
+static inline LanesLaw law(const real k[2], lanes t, lanes I, lanes D) {
+    (void)t;
+    const real c1 = k[0], c2 = k[1];
+    const lanes inverse = 1 / D, inverse2 = inverse * inverse;
+    return (LanesLaw){.w1 = c1 + c2 * inverse,
+                      .w2 = c2 - (c1 + c2 * I) * inverse2,
+                      .w12 = -c2 * inverse2,
+                      .w22 = 2 * (c1 + c2 * I) * inverse2 * inverse};
+}
 
 #ifdef KERNEL_V3
-const ElementLoops mooney_rivlin_v3 = {add_elements, bound_elements};
+const ElementLoops mooney_rivlin_v3 = {add_elements, assemble_elements, bound_elements};
 #else
-#include "force/membrane_kernel.inc"
 
 static double energy(const double k[2], double t, double I, double D) {
     (void)t;
@@ -36,8 +34,7 @@ const Material material_mooney_rivlin = {
     .poisson_most = 0.5,
     .constants = constants,
     .energy = energy,
-    .assemble = assemble_elements,
-    .loops = {add_elements, bound_elements},
+    .loops = {add_elements, assemble_elements, bound_elements},
     .v3 = V3_LOOPS(mooney_rivlin_v3),
 };
 #endif

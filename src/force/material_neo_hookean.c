@@ -1,22 +1,20 @@
 /// Neo-Hookean rubber, incompressible: W = mu/2 (I + 1/D - 3), mu = E/3. The simplest law that has
 /// the pressure peak of a child's balloon; h = h0 A0/A. Source: R. W. Ogden, Non-linear elastic
 /// deformations, 1984.
-#define LAW(number, Law, law)                                                                      \
-    static inline Law law(const real k[2], number t, number I, number D) {                         \
-        (void)t, (void)I;                                                                          \
-        const real mu = k[0];                                                                      \
-        const number inverse = 1 / D;                                                              \
-        return (Law){.w1 = mu / 2 + (number){0},                                                   \
-                     .w2 = -mu / 2 * inverse * inverse,                                            \
-                     .w22 = mu * inverse * inverse * inverse};                                     \
-    }
+#include "force/membrane_kernel.inc"
 
-#include "force/membrane_lanes.inc"
+static inline LanesLaw law(const real k[2], lanes t, lanes I, lanes D) {
+    (void)t, (void)I;
+    const real mu = k[0];
+    const lanes inverse = 1 / D;
+    return (LanesLaw){.w1 = mu / 2 + (lanes){0},
+                      .w2 = -mu / 2 * inverse * inverse,
+                      .w22 = mu * inverse * inverse * inverse};
+}
 
 #ifdef KERNEL_V3
-const ElementLoops neo_hookean_v3 = {add_elements, bound_elements};
+const ElementLoops neo_hookean_v3 = {add_elements, assemble_elements, bound_elements};
 #else
-#include "force/membrane_kernel.inc"
 
 static double energy(const double k[2], double t, double I, double D) {
     (void)t;
@@ -35,8 +33,7 @@ const Material material_neo_hookean = {
     .poisson_most = 0.5,
     .constants = constants,
     .energy = energy,
-    .assemble = assemble_elements,
-    .loops = {add_elements, bound_elements},
+    .loops = {add_elements, assemble_elements, bound_elements},
     .v3 = V3_LOOPS(neo_hookean_v3),
 };
 #endif

@@ -1,21 +1,19 @@
 /// St. Venant-Kirchhoff in plane stress: W = mu e:e + L/2 (tr e)^2 with Green's strain
 /// e = (C - 1)/2, mu = E / (2 (1 + nu)), L = E nu / (1 - nu^2). Right for small strain; a balloon
 /// of it has no pressure peak, and it has no strength in compression.
-#define LAW(number, Law, law)                                                                      \
-    static inline Law law(const real k[2], number t, number I, number D) {                         \
-        (void)t, (void)D;                                                                          \
-        const real mu = k[0], L = k[1];                                                            \
-        return (Law){.w1 = mu * (I - 1) / 2 + L * (I - 2) / 4,                                     \
-                     .w2 = -mu / 2 + (number){0},                                                  \
-                     .w11 = mu / 2 + L / 4 + (number){0}};                                         \
-    }
+#include "force/membrane_kernel.inc"
 
-#include "force/membrane_lanes.inc"
+static inline LanesLaw law(const real k[2], lanes t, lanes I, lanes D) {
+    (void)t, (void)D;
+    const real mu = k[0], L = k[1];
+    return (LanesLaw){.w1 = mu * (I - 1) / 2 + L * (I - 2) / 4,
+                      .w2 = -mu / 2 + (lanes){0},
+                      .w11 = mu / 2 + L / 4 + (lanes){0}};
+}
 
 #ifdef KERNEL_V3
-const ElementLoops stvk_v3 = {add_elements, bound_elements};
+const ElementLoops stvk_v3 = {add_elements, assemble_elements, bound_elements};
 #else
-#include "force/membrane_kernel.inc"
 
 static double energy(const double k[2], double t, double I, double D) {
     (void)t;
@@ -35,8 +33,7 @@ const Material material_stvk = {
     .poisson_most = 0.5,
     .constants = constants,
     .energy = energy,
-    .assemble = assemble_elements,
-    .loops = {add_elements, bound_elements},
+    .loops = {add_elements, assemble_elements, bound_elements},
     .v3 = V3_LOOPS(stvk_v3),
 };
 #endif

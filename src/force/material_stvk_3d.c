@@ -2,22 +2,20 @@
 /// with Green's strain e = (C - 1)/2, g = (t^2 - 1)/2 from the thickness t = h/h0, which is a
 /// parameter that volume preservation sets between steps. mu = E / (2 (1 + nu)), L = E nu / ((1 +
 /// nu) (1 - 2 nu)), so nu must stay below 1/2. Source: eq. 6 and 9 of the paper.
-#define LAW(number, Law, law)                                                                      \
-    static inline Law law(const real k[2], number t, number I, number D) {                         \
-        (void)D;                                                                                   \
-        const real mu = k[0], L = k[1];                                                            \
-        const number g = (t * t - 1) / 2;                                                          \
-        return (Law){.w1 = mu * (I - 1) / 2 + L * ((I - 2) / 2 + g) / 2,                           \
-                     .w2 = -mu / 2 + (number){0},                                                  \
-                     .w11 = mu / 2 + L / 4 + (number){0}};                                         \
-    }
+#include "force/membrane_kernel.inc"
 
-#include "force/membrane_lanes.inc"
+static inline LanesLaw law(const real k[2], lanes t, lanes I, lanes D) {
+    (void)D;
+    const real mu = k[0], L = k[1];
+    const lanes g = (t * t - 1) / 2;
+    return (LanesLaw){.w1 = mu * (I - 1) / 2 + L * ((I - 2) / 2 + g) / 2,
+                      .w2 = -mu / 2 + (lanes){0},
+                      .w11 = mu / 2 + L / 4 + (lanes){0}};
+}
 
 #ifdef KERNEL_V3
-const ElementLoops stvk_3d_v3 = {add_elements, bound_elements};
+const ElementLoops stvk_3d_v3 = {add_elements, assemble_elements, bound_elements};
 #else
-#include "force/membrane_kernel.inc"
 
 static double energy(const double k[2], double t, double I, double D) {
     const double g = (t * t - 1) / 2, trace = (I - 2) / 2 + g;
@@ -39,8 +37,7 @@ const Material material_stvk_3d = {
     .reads_thickness = true,
     .constants = constants,
     .energy = energy,
-    .assemble = assemble_elements,
-    .loops = {add_elements, bound_elements},
+    .loops = {add_elements, assemble_elements, bound_elements},
     .v3 = V3_LOOPS(stvk_3d_v3),
 };
 #endif

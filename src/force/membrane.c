@@ -39,8 +39,8 @@ static Stencils stencils(const Body* body) {
 static void assemble(const Body* body, double factor, bool project, const int* slot,
                      BlockMatrix* matrix) {
     const Membrane* membrane = &body->membrane;
-    membrane->rubber.material->assemble(membrane, body->x, (real)factor, project, slot,
-                                        matrix->value);
+    material_loops(membrane->rubber.material)
+        ->assemble(membrane, body->x, (real)factor, project, slot, matrix->value);
 }
 
 const Force force_membrane = {
