@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/cpu.h"
 #include "base/memory.h"
 #include "force/material.h"
 
@@ -28,68 +29,38 @@ void preserve_open(Preserve* preserve, const Body* body) {
     free(mass);
     for (int e = 0; e < membrane->count; e++)
         preserve->share[e] = membrane_share(membrane, e);
+    for (int e = membrane->count; e < membrane->eights * LANES; e++)
+        preserve->share[e] = 0; // there is room up to the next eight
 }
 
-/// Weight of the virtual vertex: half of the element's rubber.
-static inline real virtual_weight(const Membrane* membrane, int e) {
-    return 2 / ((real)membrane->rubber.density * membrane->rest[e][3]);
-}
-
-/// An edge now: what is moved may be far below the last bit of a position.
-static inline real4 edge(const Preserve* preserve, const real4* x, int from, int to) {
-    return (x[to] - x[from]) + (preserve->moved[to] - preserve->moved[from]);
+static const PreserveKernels* kernels(void) {
+#ifdef __x86_64__
+    if (cpu_is_v3())
+        return &preserve_kernels_v3;
+#endif
+    return &preserve_kernels_baseline;
 }
 
 /// C, its gradient by the particles, and the sum of w |dC|^2.
-static double constraint(const Membrane* membrane, Preserve* preserve, const real4* restrict x,
-                         int count, double* sum) {
-    real4* restrict gradient = preserve->gradient;
-    double volume = 0;
+static double constraint(const Membrane* membrane, Preserve* preserve, const real4* x, int count,
+                         double* sum) {
+    memset(preserve->gradient, 0, (size_t)count * sizeof *preserve->gradient);
     *sum = 0;
-    memset(gradient, 0, (size_t)count * sizeof *gradient);
-    for (int e = 0; e < membrane->count; e++) {
-        const int* c = membrane->corner[e];
-        const real4 ab = edge(preserve, x, c[0], c[1]), ac = edge(preserve, x, c[0], c[2]);
-        const real4 normal = cross(ab, ac);
-        const real twice = length(normal), half = (real)preserve->share[e] / 2;
-        volume += preserve->share[e] / 2 * preserve->thickness[e] * (double)twice;
-        const real4 up = half * (real)preserve->thickness[e] / twice * normal;
-        const real4 by_b = cross(ac, up), by_c = cross(up, ab);
-        const real4 by_middle = half / 3 * normal; // c moves under x4
-        gradient[c[0]] -= by_b + by_c + by_middle;
-        gradient[c[1]] += by_b - by_middle;
-        gradient[c[2]] += by_c - by_middle;
-        *sum += (double)(virtual_weight(membrane, e) * half * half * twice * twice);
+    const double volume = kernels()->volume(membrane, preserve, x, sum);
+    for (int i = 0; i < count; i++) {
+        const real4 g = preserve->gradient[i];
+        *sum += (double)(preserve->weight[i] * dot(g, g));
     }
-    for (int i = 0; i < count; i++)
-        *sum += (double)(preserve->weight[i] * dot(gradient[i], gradient[i]));
     return volume - membrane->volume;
 }
 
-/// Move everything by lambda times weight times gradient, and read the thickness off: with n the
-/// normal before, n + m after, what x4 rose over the middle is, without what cancels,
-///
-///     (x4 - x_a) . (n + m)^ - h = ((e12 + e13)/3 . m - dx_a . (n + m)) / |n + m|
-///                                 + dx4 (n . (n + m)) / |n + m| + h (cos - 1)
-static void move(const Membrane* membrane, Preserve* preserve, const real4* restrict x, int count,
+/// Move everything by lambda times weight times gradient, and read the thickness off.
+static void move(const Membrane* membrane, Preserve* preserve, const real4* x, int count,
                  real lambda) {
     real4* restrict way = preserve->gradient;
     for (int i = 0; i < count; i++)
         way[i] *= lambda * preserve->weight[i];
-    for (int e = 0; e < membrane->count; e++) {
-        const int* c = membrane->corner[e];
-        const real4 ab = edge(preserve, x, c[0], c[1]), ac = edge(preserve, x, c[0], c[2]);
-        const real4 db = way[c[1]] - way[c[0]], dc = way[c[2]] - way[c[0]];
-        const real4 before = cross(ab, ac), turn = cross(ab, dc) + cross(db, ac + dc);
-        const real4 after = before + turn, across = cross(before, turn);
-        const real square = dot(after, after);
-        const real sine = dot(across, across) / (dot(before, before) * square); // squared
-        const real top = lambda * virtual_weight(membrane, e) * (real)preserve->share[e] / 2;
-        const real rise = dot(ab + ac, turn) / 3 - dot(way[c[0]], after) + top * dot(before, after);
-        preserve->thickness[e] +=
-            (double)(rise / real_sqrt(square)) -
-            preserve->thickness[e] * (double)(sine / (1 + real_sqrt(1 - sine)));
-    }
+    kernels()->rise(membrane, preserve, x, lambda);
     for (int i = 0; i < count; i++)
         preserve->moved[i] += way[i];
 }
@@ -97,7 +68,7 @@ static void move(const Membrane* membrane, Preserve* preserve, const real4* rest
 static void preserve_sum(Preserve* preserve, Body* body, double h) {
     Membrane* membrane = &body->membrane;
     memset(preserve->moved, 0, (size_t)body->count * sizeof *preserve->moved);
-    for (int e = 0; e < membrane->count; e++)
+    for (int e = 0; e < membrane->eights * LANES; e++)
         preserve->thickness[e] = (double)membrane->thickness[e];
     for (preserve->passes = 0; preserve->passes < PASSES_MOST; preserve->passes++) {
         double sum;

@@ -24,6 +24,26 @@ typedef struct Preserve {
     int passes;        ///< that the last step took
 } Preserve;
 
+/// The loops over elements, eight side by side, in as many compilations as there are kinds of
+/// machine (base/cpu.h).
+typedef struct PreserveKernels {
+    /// The rubber's volume now; adds to gradient, and to sum what the virtual vertices are of it.
+    double (*volume)(const Membrane* membrane, const Preserve* preserve, const real4* x,
+                     double* sum);
+
+    /// Read the thicknesses off, the particles' ways being in gradient: with n the normal before,
+    /// n + m after, what x4 rises over the middle is, without what cancels,
+    ///
+    ///     (x4 - x_a) . (n + m)^ - h = ((e12 + e13)/3 . m - dx_a . (n + m)) / |n + m|
+    ///                                 + dx4 (n . (n + m)) / |n + m| + h (cos - 1)
+    void (*rise)(const Membrane* membrane, Preserve* preserve, const real4* x, real lambda);
+} PreserveKernels;
+
+extern const PreserveKernels preserve_kernels_baseline;
+#ifdef __x86_64__
+extern const PreserveKernels preserve_kernels_v3;
+#endif
+
 /// Room for the body's rule.
 void preserve_open(Preserve* preserve, const Body* body);
 
