@@ -71,10 +71,13 @@ static Stencils stencils(const Body* body) {
     return (Stencils){body->mesh->face_count, 4, (const int*)body->mesh->face};
 }
 
-/// The matrix of d -> factor d x a.
+/// The matrix of d -> factor d x a: columns (0 -a2 a1), (a2 0 -a0), (-a1 a0 0).
 static inline Block crossed(real factor, real4 a) {
     a *= factor;
-    return (Block){{{0, -a[2], a[1], 0}, {a[2], 0, -a[0], 0}, {-a[1], a[0], 0, 0}}};
+    const real4 m = -a; // spare lanes are zero
+    return (Block){{__builtin_shufflevector(a, m, 3, 6, 1, 3),
+                    __builtin_shufflevector(a, m, 2, 3, 4, 3),
+                    __builtin_shufflevector(a, m, 5, 0, 3, 3)}};
 }
 
 static inline void add_block(Block* value, const Block* block) {

@@ -79,6 +79,27 @@ static void make_transfer(const BlockMatrix* matrix, const int* group, const rea
     }
 }
 
+/// The same by coarse rows, fine ones in their order.
+static void turn_over(Transfer* transfer, int rows, int groups) {
+    const int parts = transfer->from[rows];
+    transfer->back_from = new_array(int, groups + 1);
+    transfer->fine = new_array(int, parts);
+    transfer->back_weight = new_array(real, parts);
+    for (int a = 0; a < parts; a++)
+        transfer->back_from[transfer->coarse[a] + 1]++;
+    for (int g = 0; g < groups; g++)
+        transfer->back_from[g + 1] += transfer->back_from[g];
+    int* at = new_array(int, groups);
+    memcpy(at, transfer->back_from, (size_t)groups * sizeof *at);
+    for (int i = 0; i < rows; i++)
+        for (int a = transfer->from[i]; a < transfer->from[i + 1]; a++) {
+            const int k = at[transfer->coarse[a]]++;
+            transfer->fine[k] = i;
+            transfer->back_weight[k] = transfer->weight[a];
+        }
+    free(at);
+}
+
 /// Where each part w_a w_b A_ij of P^T A P goes: (a, b) for each block (i, j), each a of row i and
 /// each b of row j, in this order. Returns how many parts there are; with pair NULL, counts only.
 static int collect(const BlockMatrix* matrix, const Transfer* transfer, int (*pair)[2]) {
@@ -149,6 +170,7 @@ void multilevel_open(Multilevel* levels, const BlockMatrix* matrix, const real* 
         if (groups < n) {
             make_transfer(fine->matrix, group, levels->count == 1 ? inverse_mass : NULL,
                           &fine->transfer);
+            turn_over(&fine->transfer, n, groups);
             make_coarse(fine, groups, &coarse->own);
             open_level(coarse, &coarse->own);
             levels->count++;
@@ -223,10 +245,12 @@ void multilevel_ready(Multilevel* levels, bool all) {
 /// coarse b = P^T left
 static void restrict_to(const Level* fine, Level* coarse) {
     const Transfer* transfer = &fine->transfer;
-    memset(coarse->b, 0, (size_t)coarse->matrix->count * sizeof *coarse->b);
-    for (int i = 0; i < fine->matrix->count; i++)
-        for (int a = transfer->from[i]; a < transfer->from[i + 1]; a++)
-            coarse->b[transfer->coarse[a]] += transfer->weight[a] * fine->left[i];
+    for (int g = 0; g < coarse->matrix->count; g++) {
+        real4 sum = {0, 0, 0, 0};
+        for (int k = transfer->back_from[g]; k < transfer->back_from[g + 1]; k++)
+            sum += transfer->back_weight[k] * fine->left[transfer->fine[k]];
+        coarse->b[g] = sum;
+    }
 }
 
 /// x += P coarse x
@@ -282,6 +306,9 @@ void multilevel_close(Multilevel* levels) {
         free(level->transfer.from);
         free(level->transfer.coarse);
         free(level->transfer.weight);
+        free(level->transfer.back_from);
+        free(level->transfer.fine);
+        free(level->transfer.back_weight);
         free(level->slot);
         block_matrix_free(&level->own);
     }

@@ -21,9 +21,12 @@
 
 /// P of a level: row i's value is sum of weight times the coarse value.
 typedef struct Transfer {
-    int* from;    ///< [rows + 1]
-    int* coarse;  ///< [from[rows]]
-    real* weight; ///< [from[rows]] they add up to 1, or to 0 where the row is held
+    int* from;         ///< [rows + 1]
+    int* coarse;       ///< [from[rows]]
+    real* weight;      ///< [from[rows]] they add up to 1, or to 0 where the row is held
+    int* back_from;    ///< [coarse rows + 1] the same by coarse rows, for P^T
+    int* fine;         ///< [from[rows]]
+    real* back_weight; ///< [from[rows]]
 } Transfer;
 
 typedef struct Level {
