@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "force/force.h"
+#include "lab/advise.h"
 #include "lab/bench.h"
 #include "lab/chart.h"
 #include "lab/needs.h"
@@ -22,6 +23,7 @@
 
 #define VERSION "0.1.0"
 enum { SETS_MOST = 64, EXIT_USAGE = 2 };
+static const double auto_budget = 8; ///< half a frame, the other half draws [ms]
 
 /// Everything that the command line can say.
 typedef struct Options {
@@ -36,7 +38,9 @@ typedef struct Options {
     const char* obj;
     const char* mode;
     const char* fit;
-    bool hash, time, quiet, overlay, keep, quick, all;
+    const char* error;
+    const char* budget;
+    bool hash, time, quiet, overlay, keep, quick, all, fresh, advised;
     SceneSet set[SETS_MOST];
     int set_count;
     char typed[SETS_MOST][256]; ///< texts of the sets that options such as --step stand for
@@ -74,6 +78,10 @@ static const Option option_table[] = {
     {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement",  FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is; needs: every scene",                    FLAG(all)},
     {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", TEXT(fit)},
+    {"--error",     "E",        "advise: how far off it may be, as 1%",            TEXT(error)},
+    {"--budget",    "T",        "advise: what a frame may cost, as 4ms",           TEXT(budget)},
+    {"--fresh",     NULL,       "advise: measure this machine again",              FLAG(fresh)},
+    {"--auto",      NULL,       "play, render, run: as advise says; 8ms if nobody says", FLAG(advised)},
     {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
     {"--step",      "S",        "length of a step [s]",                            .key = "step"},
     {"--guard",     "split|stop|off", "what to do with a step that is too long",   .key = "guard"},
@@ -108,11 +116,48 @@ static bool hand_over(const char* program, char** argv, Fault* fault) {
     return fault_set(fault, path, "cannot be started: %s", strerror(errno));
 }
 
+/// "1%", "0.01" or "4ms": a number and its unit.
+static bool quantity(const char* text, const char* option, const char* unit, double of_unit,
+                     double* value, Fault* fault) {
+    char* end;
+    *value = text ? strtod(text, &end) : 0;
+    const bool has_unit = text && end > text && strcmp(end, unit) == 0;
+    if (text && (end == text || (*end && !has_unit) || !isfinite(*value) || *value <= 0))
+        return fault_set(fault, option, "'%s' is not a number above 0, as in 4%s", text, unit);
+    *value *= has_unit ? of_unit : 1;
+    return true;
+}
+
+static bool advise_options(const Options* options, AdviseOptions* advise, Fault* fault) {
+    *advise = (AdviseOptions){.scene = options->target ? options->target : "party",
+                              .set = options->set,
+                              .set_count = options->set_count,
+                              .fresh = options->fresh,
+                              .out = options->out};
+    return quantity(options->error, "--error", "%", 0.01, &advise->error, fault) &&
+           quantity(options->budget, "--budget", "ms", 1, &advise->ms, fault);
+}
+
 /// Read the scene and open its world, in the precision that it asks for.
 static bool open_world(const Options* options, World* world, char** argv, Fault* fault) {
     WorldDef def;
     const char* target = options->target ? options->target : "party";
-    if (!scene_load(target, options->set, options->set_count, &def, fault))
+    SceneSet set[SETS_MOST + OVERRIDES_MOST];
+    Overrides advised = {.count = 0};
+    int count = options->set_count;
+    memcpy(set, options->set, sizeof options->set);
+    if (options->advised) {
+        AdviseOptions advise;
+        if (!advise_options(options, &advise, fault))
+            return false;
+        if (advise.error == 0 && advise.ms == 0)
+            advise.ms = auto_budget;
+        if (!advise_auto(&advise, &advised, fault))
+            return false;
+    }
+    for (int k = 0; k < advised.count; k++)
+        set[count++].text = advised.text[k];
+    if (!scene_load(target, set, count, &def, fault))
         return false;
 
     const bool is_double = sizeof(real) == sizeof(double);
@@ -302,6 +347,16 @@ static bool verb_needs(const Options* options, Fault* fault) {
     return true;
 }
 
+static bool verb_advise(const Options* options, Fault* fault) {
+    AdviseOptions advise;
+    if (!options->target)
+        return fault_set(fault, NULL, "advise on which scene? See balloon --help");
+    if (!options->error == !options->budget)
+        return fault_set(fault, options->target,
+                         "say what you ask for: --error 1%% or --budget 4ms");
+    return advise_options(options, &advise, fault) && advise_run(&advise, fault);
+}
+
 /// A scene of failures is told from the others by how it fails.
 static void list_scenes(char** path, int count, bool failures) {
     for (int k = 0; k < count; k++) {
@@ -367,6 +422,7 @@ static const Verb verb_table[] = {
     {"chart",  "[SCENE]",      "speed against accuracy: all scenes, or one",       verb_chart},
     {"stability", "",         "where each method fails: maps and limits, to --out",  verb_stability},
     {"needs",  "[SCENE]",      "what the scene could do without; all: --all", verb_needs},
+    {"advise", "SCENE",        "the cheapest way within --error, or the closest within --budget", verb_advise},
     {"list",   "",             "scenes, shapes, forces, methods, display modes",   verb_list},
 };
 enum { VERBS = sizeof verb_table / sizeof *verb_table };

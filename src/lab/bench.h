@@ -19,6 +19,7 @@ typedef struct BenchCase {
     bool (*run)(const BenchOptions* options, Fault* fault);
 } BenchCase;
 
+extern const BenchCase bench_advise;
 extern const BenchCase bench_contacts;
 extern const BenchCase bench_contact_cost;
 extern const BenchCase bench_contact_hour;

@@ -43,7 +43,7 @@ static double seconds_of(const WorldDef* def) {
     return last;
 }
 
-static bool command(const Needs* needs, const NeedsSets* sets, Launch* launch, Fault* fault) {
+static bool command(const Needs* needs, const Overrides* sets, Launch* launch, Fault* fault) {
     char program[512];
     if (!place_sibling(sizeof(real) == sizeof(double) ? "balloon-double" : "balloon", program,
                        fault))
@@ -61,7 +61,7 @@ static bool command(const Needs* needs, const NeedsSets* sets, Launch* launch, F
 }
 
 static bool add_need(Needs* needs, const NeedsPart* part, Fault* fault) {
-    NeedsSets sets = {.count = 0};
+    Overrides sets = {.count = 0};
     if (part)
         part->simplify(&needs->world, &sets);
     if (part && sets.count == 0)
@@ -74,19 +74,11 @@ static bool add_need(Needs* needs, const NeedsPart* part, Fault* fault) {
     return command(needs, &sets, &need->launch, fault);
 }
 
-/// The value that `balloon run` prints of an output; NAN where it does not.
-static double printed(const char* text, const AboutDef* about) {
-    char words[160];
-    snprintf(words, sizeof words, "%s at %g s: ", about->output, about->at);
-    const char* found = strstr(text, words);
-    return found ? strtod(found + strlen(words), NULL) : (double)NAN;
-}
-
 static void take(Needs* needs, Need* need) {
     Report report;
     report_read(&report, &need->launch);
     for (unsigned k = 0; k < needs->outputs; k++)
-        need->value[k] = printed(need->launch.out, &needs->world.def.about[k]);
+        need->value[k] = report_output(&need->launch, &needs->world.def.about[k]);
     need->ended = report.ended;
     need->parts = report.parts;
     need->ms = fmin(need->ms, report.ms);

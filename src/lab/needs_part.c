@@ -1,68 +1,59 @@
 #include "lab/needs_part.h"
 
-#include <stdarg.h>
+#include <math.h>
 #include <string.h>
 
-#include "mesh/load.h"
+#include "lab/level.h"
 #include "mesh/measure.h"
-#include "mesh/shape.h"
-
-__attribute__((format(printf, 2, 3))) static void add(NeedsSets* sets, const char* format, ...) {
-    ASSERT(sets->count < NEEDS_SETS, "a part has room for its overrides");
-    va_list list;
-    va_start(list, format);
-    vsnprintf(sets->text[sets->count++], sizeof sets->text[0], format, list);
-    va_end(list);
-}
 
 // --- what is beside the balloons -----------------------------------------------------------------
 
-static void gravity(const World* world, NeedsSets* sets) {
+static void gravity(const World* world, Overrides* sets) {
     if (scene_gravity(&world->def) != 0)
-        add(sets, "gravity=0");
+        overrides_add(sets, "gravity=0");
 }
 
-static void the_floor(const World* world, NeedsSets* sets) {
+static void the_floor(const World* world, Overrides* sets) {
     if (world->def.floor)
-        add(sets, "floor=~");
+        overrides_add(sets, "floor=~");
 }
 
-static void walls(const World* world, NeedsSets* sets) {
+static void walls(const World* world, Overrides* sets) {
     if (world->def.walls_count > 0)
-        add(sets, "walls=[]");
+        overrides_add(sets, "walls=[]");
 }
 
-static void spheres(const World* world, NeedsSets* sets) {
+static void spheres(const World* world, Overrides* sets) {
     if (world->def.spheres_count > 0)
-        add(sets, "spheres=[]");
+        overrides_add(sets, "spheres=[]");
 }
 
-static void friction(const World* world, NeedsSets* sets) {
+static void friction(const World* world, Overrides* sets) {
     for (unsigned s = 0; s < world->def.spheres_count; s++)
         if (world->def.spheres[s].friction > 0)
-            add(sets, "spheres.%u.friction=0", s);
+            overrides_add(sets, "spheres.%u.friction=0", s);
 }
 
-static void restitution(const World* world, NeedsSets* sets) {
+static void restitution(const World* world, Overrides* sets) {
     for (unsigned s = 0; s < world->def.spheres_count; s++)
         if (world->def.spheres[s].restitution > 0)
-            add(sets, "spheres.%u.restitution=0", s);
+            overrides_add(sets, "spheres.%u.restitution=0", s);
 }
 
-static void pipes(const World* world, NeedsSets* sets) {
+static void pipes(const World* world, Overrides* sets) {
     if (world->def.pipes_count > 0)
-        add(sets, "pipes=[]");
+        overrides_add(sets, "pipes=[]");
 }
 
 // --- the skin ------------------------------------------------------------------------------------
 
 /// A number of every balloon that has one is 0. A skin keeps one kind of spring.
 #define WITHOUT(name, object, field, key)                                                          \
-    static void name(const World* world, NeedsSets* sets) {                                        \
+    static void name(const World* world, Overrides* sets) {                                        \
         for (unsigned b = 0; b < world->def.balloons_count; b++) {                                 \
             const BalloonDef* balloon = &world->def.balloons[b];                                   \
             if (balloon->object && balloon->object->field != 0)                                    \
-                add(sets, "balloons.%u." key "=0", b);                                             \
+                overrides_add(sets, "balloons.%u." key "=0", b);                                   \
         }                                                                                          \
     }
 WITHOUT(structural, skin.springs, structural, "skin.springs.structural")
@@ -75,10 +66,10 @@ WITHOUT(per_inflation, helium, per_inflation, "helium.per_inflation")
 
 /// A key of every balloon that has it is taken out.
 #define KEYLESS(name, object, key)                                                                 \
-    static void name(const World* world, NeedsSets* sets) {                                        \
+    static void name(const World* world, Overrides* sets) {                                        \
         for (unsigned b = 0; b < world->def.balloons_count; b++)                                   \
             if (world->def.balloons[b].object)                                                     \
-                add(sets, "balloons.%u." key "=~", b);                                             \
+                overrides_add(sets, "balloons.%u." key "=~", b);                                   \
     }
 KEYLESS(inflation, inflation, "inflation")
 KEYLESS(helium, helium, "helium")
@@ -89,11 +80,11 @@ KEYLESS(hold_rim, hold_rim, "hold_rim")
 
 /// A key below one that every balloon may have.
 #define KEYLESS_BELOW(name, object, field, key)                                                    \
-    static void name(const World* world, NeedsSets* sets) {                                        \
+    static void name(const World* world, Overrides* sets) {                                        \
         for (unsigned b = 0; b < world->def.balloons_count; b++) {                                 \
             const BalloonDef* balloon = &world->def.balloons[b];                                   \
             if (balloon->object && balloon->object->field)                                         \
-                add(sets, "balloons.%u." key "=~", b);                                             \
+                overrides_add(sets, "balloons.%u." key "=~", b);                                   \
         }                                                                                          \
     }
 KEYLESS_BELOW(patches, skin.membrane, patches_count, "skin.membrane.patches")
@@ -104,11 +95,11 @@ KEYLESS_BELOW(tarantino, correction, tarantino, "correction.tarantino")
 
 /// One kind of several; the only one is the correction itself.
 #define CORRECTED(name, field, one, two)                                                           \
-    static void name(const World* world, NeedsSets* sets) {                                        \
+    static void name(const World* world, Overrides* sets) {                                        \
         for (unsigned b = 0; b < world->def.balloons_count; b++) {                                 \
             const CorrectionDef* correct = world->def.balloons[b].correction;                      \
             if (correct && correct->field > 0 && correct->one + correct->two > 0)                  \
-                add(sets, "balloons.%u.correction." #field "=0", b);                               \
+                overrides_add(sets, "balloons.%u.correction." #field "=0", b);                     \
         }                                                                                          \
     }
 CORRECTED(correct_structural, structural, shear, flexion)
@@ -132,7 +123,7 @@ static bool is_of_triangles(const Mesh* mesh) {
 /// Springs that stretch like the rubber when it is stretched alike in all directions, B = 2 E h:
 /// on square cells kd = E h/2 and ks + 4 kf = E h, a third of that in flexion; on triangles of
 /// equal sides, where only sides are, B = sqrt(3) k.
-static void membrane(const World* world, NeedsSets* sets) {
+static void membrane(const World* world, Overrides* sets) {
     for (unsigned b = 0; b < world->def.balloons_count; b++) {
         const MembraneDef* rubber = world->def.balloons[b].skin.membrane;
         if (!rubber)
@@ -140,15 +131,16 @@ static void membrane(const World* world, NeedsSets* sets) {
         const Balloon* balloon = &world->balloon[b];
         const double sheet = rubber->young * rubber->thickness;
         if (is_of_triangles(&balloon->mesh))
-            add(sets, "balloons.%u.skin={springs: {structural: %.17g, law: rubber}}", b,
-                2 * sheet / sqrt(3));
+            overrides_add(sets, "balloons.%u.skin={springs: {structural: %.17g, law: rubber}}", b,
+                          2 * sheet / sqrt(3));
         else
-            add(sets,
+            overrides_add(
+                sets,
                 "balloons.%u.skin={springs: {structural: %.17g, shear: %.17g, flexion: %.17g, law: "
                 "rubber}}",
                 b, sheet * 2 / 3, sheet / 2, sheet / 12);
-        add(sets, "balloons.%u.mass={per_particle: %.17g}", b,
-            mass_of(&balloon->body) / balloon->body.count);
+        overrides_add(sets, "balloons.%u.mass={per_particle: %.17g}", b,
+                      mass_of(&balloon->body) / balloon->body.count);
     }
 }
 
@@ -156,7 +148,7 @@ static void membrane(const World* world, NeedsSets* sets) {
 
 /// A pressure that does not change with the size: what the law says of the first size. A gas in air
 /// has atmospheres then, and no skin holds them.
-static void law(const World* world, NeedsSets* sets) {
+static void law(const World* world, Overrides* sets) {
     for (unsigned b = 0; b < world->def.balloons_count; b++) {
         const InflationDef* def = world->def.balloons[b].inflation;
         const Balloon* balloon = &world->balloon[b];
@@ -169,77 +161,25 @@ static void law(const World* world, NeedsSets* sets) {
         if (def->fill)
             snprintf(fill, sizeof fill, ", fill: {to: %.17g, start: %.17g, seconds: %.17g}",
                      unit * def->fill->to, def->fill->start, def->fill->seconds);
-        add(sets, "balloons.%u.inflation={law: pressure, amount: %.17g%s}", b, unit * def->amount,
-            fill);
+        overrides_add(sets, "balloons.%u.inflation={law: pressure, amount: %.17g%s}", b,
+                      unit * def->amount, fill);
     }
 }
 
 // --- mesh, step, precision -----------------------------------------------------------------------
 
-/// The shape with half as many edges each way, icospheres one level lower; false where there is
-/// none.
-static bool coarser(const char* model, char name[96]) {
-    const Shape* shape = shape_find(model);
-    if (!shape)
-        return false;
-    int n[2] = {shape->given[0], shape->given[1]};
-    const char* colon = strchr(model, ':');
-    if (colon)
-        sscanf(colon, ":%dx%d", &n[0], &n[1]);
-    const bool levels = strcmp(shape->name, "icosphere") == 0;
-    for (int k = 0; k < shape->numbers; k++) {
-        n[k] = levels ? n[k] - 1 : n[k] / 2;
-        if (n[k] < shape->least[k])
-            return false;
-    }
-    snprintf(name, 96, shape->numbers == 1 ? "%s:%d" : "%s:%dx%d", shape->name, n[0], n[1]);
-    return true;
+static void mesh(const World* world, Overrides* sets) {
+    level_add(world, -1, sets);
 }
 
-/// How many points a shape has; it is one of the table's.
-static int points_of(const char* model) {
-    Mesh mesh = {0};
-    MeshReport report = {0};
-    Fault unused = {0};
-    const int count = mesh_load(model, &mesh, &report, &unused) ? mesh.point_count : 0;
-    mesh_free(&mesh);
-    return count;
-}
-
-/// A number that names a particle is of another mesh.
-static bool is_tied_by_number(const BalloonDef* balloon) {
-    for (unsigned s = 0; s < balloon->strings_count; s++)
-        if (balloon->strings[s].at && strspn(balloon->strings[s].at, "0123456789") > 0)
-            return true;
-    return false;
-}
-
-/// The skin's whole mass and damping stay; springs of a sheet do not change with its cells.
-static void mesh(const World* world, NeedsSets* sets) {
-    for (unsigned b = 0; b < world->def.balloons_count; b++) {
-        const BalloonDef* balloon = &world->def.balloons[b];
-        char name[96];
-        if (is_tied_by_number(balloon) || !coarser(balloon->model, name))
-            continue;
-        const double share = (double)world->balloon[b].body.count / points_of(name);
-        add(sets, "balloons.%u.model=%s", b, name);
-        if (balloon->mass)
-            add(sets, "balloons.%u.mass.per_particle=%.17g", b,
-                share * balloon->mass->per_particle);
-        if (balloon->damping && balloon->damping->coefficient > 0)
-            add(sets, "balloons.%u.damping.coefficient=%.17g", b,
-                share * balloon->damping->coefficient);
-    }
-}
-
-static void step(const World* world, NeedsSets* sets) {
+static void step(const World* world, Overrides* sets) {
     if (2 * world->step <= 1)
-        add(sets, "step=%.17g", 2 * world->step);
+        overrides_add(sets, "step=%.17g", 2 * world->step);
 }
 
-static void precision(const World* world, NeedsSets* sets) {
+static void precision(const World* world, Overrides* sets) {
     if (world->def.precision == PRECISION_DOUBLE)
-        add(sets, "precision=float");
+        overrides_add(sets, "precision=float");
 }
 
 // clang-format off

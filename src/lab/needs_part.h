@@ -3,15 +3,8 @@
 #ifndef BALLOON_LAB_NEEDS_PART_H
 #define BALLOON_LAB_NEEDS_PART_H
 
+#include "lab/overrides.h"
 #include "world/world.h"
-
-enum { NEEDS_SETS = 48 }; ///< overrides of one part, at most
-
-/// Overrides as texts, KEY=VALUE.
-typedef struct NeedsSets {
-    char text[NEEDS_SETS][256];
-    int count;
-} NeedsSets;
 
 typedef struct NeedsPart {
     const char* name;
@@ -19,7 +12,7 @@ typedef struct NeedsPart {
 
     /// Fill the overrides; none where the scene does not have this part. The world is open and has
     /// made no step.
-    void (*simplify)(const World* world, NeedsSets* sets);
+    void (*simplify)(const World* world, Overrides* sets);
 } NeedsPart;
 
 extern const NeedsPart needs_part_table[];

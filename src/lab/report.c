@@ -113,6 +113,13 @@ double report_at_time(const Report* report, const char* column, double t) {
     return report_at(report, column, nearest);
 }
 
+double report_output(const Launch* launch, const AboutDef* about) {
+    char words[160];
+    snprintf(words, sizeof words, "%s at %g s: ", about->output, about->at);
+    const char* found = strstr(launch->out, words);
+    return found ? strtod(found + strlen(words), NULL) : (double)NAN;
+}
+
 void report_free(Report* report) {
     free(report->name);
     free(report->value);

@@ -3,6 +3,7 @@
 #define BALLOON_LAB_REPORT_H
 
 #include "lab/launch.h"
+#include "world/scene.h"
 
 typedef struct Report {
     int rows, columns;
@@ -24,6 +25,9 @@ double report_at(const Report* report, const char* column, int row);
 
 /// The same in the row whose time is nearest to t.
 double report_at_time(const Report* report, const char* column, double t);
+
+/// The value that `balloon run` printed of an output that its scene is about; NAN where it did not.
+double report_output(const Launch* launch, const AboutDef* about);
 
 void report_free(Report* report);
 

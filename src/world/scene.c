@@ -72,7 +72,7 @@ static bool set_all(SceneTree* tree, int set_count, Fault* fault) {
 static bool fill(const SceneTree* tree, WorldDef* def, Fault* fault) {
     size_t size;
     Fault error = {0};
-    char* text = tree_text(tree, &size);
+    char* text = tree_text(tree, false, &size);
     const cyaml_config_t how = config(&error);
     const cyaml_err_t result =
         cyaml_load_data((const uint8_t*)text, size, &how, scene_schema(), &def->loaded, NULL);
@@ -87,9 +87,10 @@ static bool fill(const SceneTree* tree, WorldDef* def, Fault* fault) {
     return true;
 }
 
-// The whole way from a name to a def, in a locale in which numbers have a point.
-static bool load(const char* name, const SceneSet* set, int set_count, WorldDef* def,
-                 Fault* fault) {
+// The whole way from a name to a def, in a locale in which numbers have a point. text: the scene as
+// it then is, or NULL.
+static bool load(const char* name, const SceneSet* set, int set_count, bool for_people, char** text,
+                 WorldDef* def, Fault* fault) {
     SceneSource source;
     if (!scene_find(name, &source, fault))
         return false;
@@ -98,21 +99,38 @@ static bool load(const char* name, const SceneSet* set, int set_count, WorldDef*
     const bool good = read_tree(&source, &tree, fault) && set_all(&tree, set_count, fault) &&
                       judge_scene(&tree, fault) && fill(&tree, def, fault) &&
                       rules_hold(def, &tree, fault);
+    size_t size;
+    if (good && text)
+        *text = tree_text(&tree, for_people, &size);
     tree_free(&tree);
     if (!good)
         scene_free(def);
     return good;
 }
 
-bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault) {
+static bool load_with_points(const char* name, const SceneSet* set, int set_count, bool for_people,
+                             char** text, WorldDef* def, Fault* fault) {
     *def = (WorldDef){0};
     const locale_t point = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
     ASSERT(point, "every system has the C locale");
     const locale_t before = uselocale(point);
-    const bool good = load(name, set, set_count, def, fault);
+    const bool good = load(name, set, set_count, for_people, text, def, fault);
     uselocale(before);
     freelocale(point);
     return good;
+}
+
+bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault) {
+    return load_with_points(name, set, set_count, false, NULL, def, fault);
+}
+
+char* scene_text(const char* name, const SceneSet* set, int set_count, bool for_people,
+                 Fault* fault) {
+    WorldDef def;
+    char* text = NULL;
+    if (load_with_points(name, set, set_count, for_people, &text, &def, fault))
+        scene_free(&def);
+    return text;
 }
 
 void scene_free(WorldDef* def) {

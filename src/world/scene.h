@@ -262,6 +262,11 @@ typedef struct SceneSet {
 /// or with the override that brought them in.
 bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault);
 
+/// The scene with its overrides as YAML again, for people or with nothing left to guess: scalars in
+/// quotes. The caller frees it; NULL with a fault where scene_load has one.
+char* scene_text(const char* name, const SceneSet* set, int set_count, bool for_people,
+                 Fault* fault);
+
 /// Where a balloon's model is: a shape's name as it is, a file beside the scene's, in assets/models
 /// or as typed from the working folder. The fault names the places tried.
 bool scene_model_path(const WorldDef* def, const char* model, char path[512], Fault* fault);

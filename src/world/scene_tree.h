@@ -47,9 +47,9 @@ bool tree_fault(const SceneTree* tree, int node, Fault* fault, const char* forma
     __attribute__((format(printf, 4, 5)));
 
 /// The tree as YAML again, in a form in which nothing is left to guess: every scalar quoted, every
-/// alias written out. Only for trees that passed judge_scene, which bounds them. The caller frees
-/// it.
-char* tree_text(const SceneTree* tree, size_t* size);
+/// alias written out; or for people, as scenes are written. A zero byte follows. Only for trees
+/// that passed judge_scene, which bounds them. The caller frees it.
+char* tree_text(const SceneTree* tree, bool for_people, size_t* size);
 
 void tree_free(SceneTree* tree);
 

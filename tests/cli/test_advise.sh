@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Advice: what is measured is kept, what is asked for is given or refused, what comes out is a scene.
+set -u
+cd "$(dirname "$0")/../.."
+build=$(realpath "${1:-build}")
+. tests/say.sh
+balloon=$build/balloon
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export XDG_CACHE_HOME=$scratch/cache
+
+bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
+
+# --- the exact cube: its corners swing out to r(0.02), 35.105218866e-3 beyond sqrt(3); V = (2 r/sqrt 3)^3
+truth=$(awk 'BEGIN { printf "%.17g", ((sqrt(3) + 0.035105218866) * 2 / sqrt(3)) ^ 3 }')
+for error in 1% 0.1%; do
+    ok "advice for $error" "$balloon" advise exact-cube --error $error --out "$scratch/cube.yaml"
+    ok "says what is expected" grep -qE "^# .* at most [0-9.e-]+ % off, for [0-9.e-]+ ms" "$scratch/cube.yaml"
+    got=$("$balloon" run "$scratch/cube.yaml" | sed -nE 's/^balloon0.volume at 0.02 s: //p')
+    ok "is a scene within $error of the truth" near "$got" "$truth" "$(awk -v v="$truth" -v e="${error%\%}" 'BEGIN { print v * e / 100 }')"
+done
+ok "and keeps what it says of itself" grep -q "^title: The exact cube$" "$scratch/cube.yaml"
+kept=$(ls "$scratch"/cache/balloon/advice-*.csv)
+ok "one file is kept" test "$(wc -l <<<"$kept")" = 1
+sum=$(md5sum <"$kept")
+ok "numbers a little off are the same scene" "$balloon" advise exact-cube --budget 4ms --set balloons.0.inflation.amount=1.1 >/dev/null
+ok "and measure nothing" test "$(md5sum <"$kept")" = "$sum"
+ok "--fresh measures again" "$balloon" advise exact-cube --budget 4ms --fresh >/dev/null
+ok "and keeps it" test "$(md5sum <"$kept")" != "$sum"
+ok "--auto takes the advice" grep -q "volume at 0.02 s" <("$balloon" run exact-cube --auto --error 1% 2>/dev/null)
+
+bad "the best here is [0-9.e-]+ %, for [0-9.e-]+ ms" "$balloon" advise exact-cube --error 1e-12
+bad "the best here is [0-9.e-]+ %, for [0-9.e-]+ ms" "$balloon" advise exact-cube --budget 1e-9ms
+bad "not about outputs" "$balloon" advise limit-springs --error 1%
+bad "what you ask for" "$balloon" advise exact-cube
+bad "is not a number above 0, as in 4%" "$balloon" advise exact-cube --error lots
+bad "cannot be written" "$balloon" advise exact-cube --error 1% --out /proc/nothing/here
+ok "no cache, no harm" env -u HOME -u XDG_CACHE_HOME "$balloon" advise exact-cube --error 1% >/dev/null
+
+finish
