@@ -38,6 +38,7 @@ typedef struct Options {
     const char* obj;
     const char* mode;
     const char* fit;
+    const char* compare;
     const char* error;
     const char* budget;
     bool hash, time, quiet, overlay, keep, quick, all, fresh, advised;
@@ -78,6 +79,7 @@ static const Option option_table[] = {
     {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement",  FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is; needs: every scene",                    FLAG(all)},
     {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", TEXT(fit)},
+    {"--compare",   "METHOD",   "a second copy of the scene by that method, as a ghost", TEXT(compare)},
     {"--error",     "E",        "advise: how far off it may be, as 1%",            TEXT(error)},
     {"--budget",    "T",        "advise: what a frame may cost, as 4ms",           TEXT(budget)},
     {"--fresh",     NULL,       "advise: measure this machine again",              FLAG(fresh)},
@@ -138,26 +140,45 @@ static bool advise_options(const Options* options, AdviseOptions* advise, Fault*
            quantity(options->budget, "--budget", "ms", 1, &advise->ms, fault);
 }
 
-/// Read the scene and open its world, in the precision that it asks for.
-static bool open_world(const Options* options, World* world, char** argv, Fault* fault) {
-    WorldDef def;
-    const char* target = options->target ? options->target : "party";
-    SceneSet set[SETS_MOST + OVERRIDES_MOST];
-    Overrides advised = {.count = 0};
-    int count = options->set_count;
-    memcpy(set, options->set, sizeof options->set);
+/// The scene's overrides, with those of advice and one more where there is one.
+typedef struct Sets {
+    SceneSet set[SETS_MOST + OVERRIDES_MOST + 1];
+    int count;
+    Overrides advised;
+    char method[80];
+} Sets;
+
+static bool all_sets(const Options* options, const char* method, Sets* sets, Fault* fault) {
+    sets->count = options->set_count;
+    sets->advised.count = 0;
+    memcpy(sets->set, options->set, sizeof options->set);
     if (options->advised) {
         AdviseOptions advise;
         if (!advise_options(options, &advise, fault))
             return false;
         if (advise.error == 0 && advise.ms == 0)
             advise.ms = auto_budget;
-        if (!advise_auto(&advise, &advised, fault))
+        if (!advise_auto(&advise, &sets->advised, fault))
             return false;
     }
-    for (int k = 0; k < advised.count; k++)
-        set[count++].text = advised.text[k];
-    if (!scene_load(target, set, count, &def, fault))
+    for (int k = 0; k < sets->advised.count; k++)
+        sets->set[sets->count++].text = sets->advised.text[k];
+    if (method) {
+        snprintf(sets->method, sizeof sets->method, "method=%s", method);
+        sets->set[sets->count++].text = sets->method;
+    }
+    return true;
+}
+
+/// Read the scene and open its world, in the precision that it asks for; with a method of its own,
+/// or as it is.
+static bool open_copy(const Options* options, const char* method, World* world, char** argv,
+                      Fault* fault) {
+    WorldDef def;
+    Sets sets;
+    const char* target = options->target ? options->target : "party";
+    if (!all_sets(options, method, &sets, fault) ||
+        !scene_load(target, sets.set, sets.count, &def, fault))
         return false;
 
     const bool is_double = sizeof(real) == sizeof(double);
@@ -168,10 +189,24 @@ static bool open_world(const Options* options, World* world, char** argv, Fault*
     return world_open(world, &def, fault);
 }
 
+static bool open_world(const Options* options, World* world, char** argv, Fault* fault) {
+    return open_copy(options, NULL, world, argv, fault);
+}
+
 static char** arguments; ///< as main got them, for a hand-over to the other precision
 
-static bool show_options(const Options* options, const World* world, ShowOptions* show,
-                         Fault* fault) {
+/// The world, and with --compare its ghost; both are closed by the caller.
+static bool open_pair(const Options* options, World* world, Ghost* ghost, Fault* fault) {
+    if (!open_world(options, world, arguments, fault))
+        return false;
+    if (!options->compare || open_copy(options, options->compare, &ghost->world, arguments, fault))
+        return true;
+    world_close(world);
+    return false;
+}
+
+static bool show_options(const Options* options, const World* world, Ghost* ghost,
+                         ShowOptions* show, Fault* fault) {
     *show = show_options_default();
     show->out = options->out ? options->out : "out";
     show->input = options->input;
@@ -180,6 +215,8 @@ static bool show_options(const Options* options, const World* world, ShowOptions
     show->quiet = options->quiet;
     show->time = options->time;
     show->overlay = options->overlay;
+    show->compare = options->compare;
+    show->ghost = options->compare ? ghost : NULL;
     if (options->size &&
         (sscanf(options->size, "%dx%d", &show->width, &show->height) != 2 || show->width < 16 ||
          show->height < 16 || show->width > 16384 || show->height > 16384))
@@ -196,9 +233,10 @@ static void print_hash(const World* world) {
 static bool verb_play(const Options* options, Fault* fault) {
     World world;
     ShowOptions show;
-    if (!open_world(options, &world, arguments, fault))
+    Ghost ghost = {0};
+    if (!open_pair(options, &world, &ghost, fault))
         return false;
-    bool good = show_options(options, &world, &show, fault);
+    bool good = show_options(options, &world, &ghost, &show, fault);
     show.overlay = true;
     if (!options->seconds) // a window stays open
         show.seconds = 0;
@@ -206,31 +244,36 @@ static bool verb_play(const Options* options, Fault* fault) {
     if (good && options->hash)
         print_hash(&world);
     world_close(&world);
+    world_close(&ghost.world);
     return good;
 }
 
 static bool verb_render(const Options* options, Fault* fault) {
     World world;
     ShowOptions show;
-    if (!open_world(options, &world, arguments, fault))
+    Ghost ghost = {0};
+    if (!open_pair(options, &world, &ghost, fault))
         return false;
     const bool good =
-        show_options(options, &world, &show, fault) && show_render(&world, &show, fault);
+        show_options(options, &world, &ghost, &show, fault) && show_render(&world, &show, fault);
     if (good && options->hash)
         print_hash(&world);
     world_close(&world);
+    world_close(&ghost.world);
     return good;
 }
 
 static bool verb_run(const Options* options, Fault* fault) {
     World world;
+    Ghost ghost = {0};
     RunOptions run_options = {.csv = options->csv,
                               .obj = options->obj,
                               .input = options->input,
                               .record = options->record,
                               .time = options->time,
+                              .ghost = options->compare ? &ghost : NULL,
                               .quiet = options->quiet};
-    if (!open_world(options, &world, arguments, fault))
+    if (!open_pair(options, &world, &ghost, fault))
         return false;
     const double given = world.def.seconds > 0 ? world.def.seconds : 10;
     const bool good = number(options->seconds, "--seconds", given, &run_options.seconds, fault) &&
@@ -239,6 +282,7 @@ static bool verb_run(const Options* options, Fault* fault) {
     if (good && options->hash)
         print_hash(&world);
     world_close(&world);
+    world_close(&ghost.world);
     return good;
 }
 

@@ -105,6 +105,11 @@ static void draw_see_through(const Renderer* renderer) {
     skins_draw(&renderer->skins, PAINT_FAINT);
     if (skins_veil(&renderer->skins))
         wires_draw(&renderer->wires);
+
+    // a ghost is seen through everything, and hides nothing
+    glDisable(GL_DEPTH_TEST);
+    skins_draw(&renderer->skins, PAINT_GHOST);
+    glEnable(GL_DEPTH_TEST);
 }
 
 void renderer_draw(Renderer* renderer, const Picture* picture) {

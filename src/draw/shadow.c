@@ -184,7 +184,8 @@ void shadow_cast(Shadow* shadow, const Picture* picture) {
     for (int k = 0; k < SHADOW_LEVELS; k++)
         memset(shadow->level[k], 0, (size_t)(side(k) * side(k)) * sizeof(float4));
     for (int i = 0; i < picture->skin_count; i++)
-        skin(&cast, &picture->skin[i]);
+        if (picture->skin[i].paint != PAINT_GHOST)
+            skin(&cast, &picture->skin[i]);
     for (int i = 0; i < picture->ball_count; i++)
         ball(&cast, &picture->ball[i]);
 

@@ -13,6 +13,7 @@ static const char* const FRAGMENT[PAINT_COUNT] = {
     [PAINT_RUBBER] = "rubber.frag",
     [PAINT_FIELD] = "field.frag",
     [PAINT_FAINT] = "faint.frag",
+    [PAINT_GHOST] = "ghost.frag",
 };
 
 bool skins_open(Skins* skins, const char* shader_dir, Fault* fault) {

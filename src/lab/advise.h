@@ -8,10 +8,12 @@
 ///     cost    CPU time of stepping for a frame of 1/60 s, the least of the runs              [ms]
 ///     promise ADVISE_MARGIN error + floor                                                    [1]
 ///
-/// The reference is what two finer runs of the scene's own method tell of no step at all, order 1,
-/// and two levels of the mesh of endless fineness, order 2; the floor is a tenth of how far the
-/// finest run is off that. Steps are 1/60 s halved again and again, from where the guard does not
-/// split them, until the error stands still or a second costs ADVISE_MOST.
+/// An error is never taken for less than what the step's and the mesh's parts of it are alone,
+/// which neighbouring points tell: that they cancel is luck. The reference is what two finer runs
+/// of the scene's own method tell of no step at all, order 1, and two levels of the mesh of endless
+/// fineness, order 2; the floor is a tenth of how far the finest run is off that. Steps are 1/60 s
+/// halved again and again, from where the guard does not split them, until the error stands still
+/// or a second costs ADVISE_MOST.
 ///
 /// Points are kept where the system keeps caches, and hold for every scene of the same words whose
 /// numbers are within a fifth, on the same machine.

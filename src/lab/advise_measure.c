@@ -13,6 +13,10 @@ enum { OUTPUTS_MOST = 16, COARSEST = -3, FINEST = 2, HALVINGS = 12, RETIMES = 2 
 static const int points_most = 12000, reference_points_most = 3000;
 /// No frame that costs 25 ms is of use to a window. CPU time per simulated second [ms]
 static const double cost_most = 1500;
+/// Steps nearer to each other than this tell nothing of each other's errors. [1]
+static const double told_apart = 0.9;
+/// What an error may be more than it seems where no neighbour tells. [1]
+static const double unknown = 2;
 /// Errors above this are not those of a float's rounding. [1]
 static const double rounding_most = 2e-3;
 /// An error that is within this factor of the best stands still: shorter steps gain nothing. What
@@ -43,7 +47,8 @@ typedef struct Study {
     Line* line;
     int lines;
     Advice* advice;
-    int room;
+    double (*value)[OUTPUTS_MOST]; ///< [room] of each point
+    double* part;                  ///< [room] its step as the guard had it made [s]
 } Study;
 
 static bool command(const Study* study, const char* method, const char* precision, int level,
@@ -177,8 +182,10 @@ static void add_lines(Study* study) {
                                                          .best = INFINITY,
                                                          .cost = INFINITY};
     }
-    study->room = study->lines * (HALVINGS + 1);
-    study->advice->point = new_array(AdvicePoint, study->room);
+    const int room = study->lines * (HALVINGS + 1);
+    study->advice->point = new_array(AdvicePoint, room);
+    study->value = new_array(double[OUTPUTS_MOST], room);
+    study->part = new_array(double, room);
 }
 
 static double error_of(const Study* study, const double value[]) {
@@ -192,12 +199,13 @@ static double error_of(const Study* study, const double value[]) {
 
 /// Measure the line's next step, and say which comes after it.
 static bool go_on(Study* study, Line* line, Fault* fault) {
-    double value[OUTPUTS_MOST];
     Report report;
+    double* value = study->value[study->advice->count];
     const double step = 1 / ADVISE_FPS / exp2(line->halving);
     if (!run_one(study, line->method->name, line->precision, line->level, step, value, &report,
                  fault))
         return false;
+    study->part[study->advice->count] = step / report.parts;
     AdvicePoint* point = &study->advice->point[study->advice->count++];
     *point = (AdvicePoint){.level = line->level,
                            .step = step,
@@ -218,6 +226,59 @@ static bool go_on(Study* study, Line* line, Fault* fault) {
                  (report.ended && report.ms * (report.parts > 1 ? 1 : 2) > cost_most);
     report_free(&report);
     return true;
+}
+
+/// The other's values as an error of the point's, whatever the reference.
+static double apart(const Study* study, const double value[], const double other[]) {
+    double most = 0;
+    for (unsigned k = 0; k < study->outputs; k++)
+        most = fmax(most, fabs(value[k] - other[k]) / fabs(study->reference[k]));
+    return most;
+}
+
+/// Of the points with the same method and precision: on the level above with the same step, or on
+/// the same level with the nearest step on one side. NONE: there is none that came to its end.
+static int neighbour(const Study* study, int k, int level, int side) {
+    const AdvicePoint* point = study->advice->point;
+    int best = NONE;
+    for (int q = 0; q < study->advice->count; q++) {
+        const double ratio = study->part[q] / study->part[k];
+        const bool fits = level      ? point[q].step == point[k].step
+                          : side < 0 ? ratio < told_apart
+                                     : ratio * told_apart > 1;
+        if (fits && point[q].level == point[k].level + level && isfinite(point[q].error) &&
+            strcmp(point[q].method, point[k].method) == 0 &&
+            strcmp(point[q].precision, point[k].precision) == 0 &&
+            (best == NONE || fabs(log(ratio)) < fabs(log(study->part[best] / study->part[k]))))
+            best = q;
+    }
+    return best;
+}
+
+/// Errors of step and mesh may cancel, and do so for these numbers only, so that neither is taken
+/// for less than it is: order 1 in the step, e (1 - h'/h) of it is seen from a step h' to h; order
+/// 2 in the mesh, 3/4 of it to the level above.
+static double without_luck(const Study* study, int k) {
+    const AdvicePoint* point = study->advice->point;
+    const int shorter = neighbour(study, k, 0, -1), longer = neighbour(study, k, 0, 1);
+    const int denser = neighbour(study, k, 1, 0), other = shorter != NONE ? shorter : longer;
+    double error = point[k].error * (other == NONE && denser == NONE ? unknown : 1);
+    if (other != NONE)
+        error = fmax(error, apart(study, study->value[k], study->value[other]) /
+                                fabs(1 - study->part[other] / study->part[k]));
+    if (denser != NONE)
+        error = fmax(error, apart(study, study->value[k], study->value[denser]) * 4 / 3);
+    return error;
+}
+
+static void undo_luck(Study* study) {
+    Advice* advice = study->advice;
+    double* error = new_array(double, advice->count);
+    for (int k = 0; k < advice->count; k++)
+        error[k] = isfinite(advice->point[k].error) ? without_luck(study, k) : INFINITY;
+    for (int k = 0; k < advice->count; k++)
+        advice->point[k].error = error[k];
+    free(error);
 }
 
 /// Four times as many points cost four times as much at least: a line whose method was too slow on
@@ -259,6 +320,7 @@ static bool measure(Study* study, Fault* fault) {
             if (!go_on(study, line, fault))
                 return false;
     }
+    undo_luck(study);
 
     // what may be picked deserves a good clock
     Advice* advice = study->advice;
@@ -287,6 +349,8 @@ bool advise_measure(const char* scene, const SceneSet* set, int set_count, Advic
                   "it is not about outputs that an error could be of; see balloon needs");
     good = good && measure(&study, fault);
     free(study.line);
+    free(study.value);
+    free(study.part);
     world_close(&study.world);
     if (!good)
         advise_free(advice);

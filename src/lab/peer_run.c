@@ -145,12 +145,15 @@ bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
     const long steps = steps_to(options->seconds, world->step);
     if (csv) {
         probe_csv_header(world, csv);
+        fputc('\n', csv);
         probe_csv_row(world, csv);
+        fputc('\n', csv);
     }
     for (long k = 1; k <= rows + 1 && !is_bad(&pair); k++) {
         advance(&pair, k <= rows ? steps_to((double)k / options->fps, world->step) : steps);
         if (csv && k <= rows && !is_bad(&pair))
             probe_csv_row(world, csv);
+        fputc('\n', csv);
     }
     const bool bad = is_bad(&pair);
     if (options->time)

@@ -40,6 +40,8 @@ void app_look(App* app) {
     app->camera = framing_first(app->world);
     app->hand = hand_default(app->world, &app->camera);
     picture_open(&app->picture, app->world);
+    if (app->session.ghost)
+        picture_ghost(&app->picture, &app->session.ghost->world);
 }
 
 // ---- other scenes ----
@@ -58,6 +60,24 @@ static int scene_index(char* const* path, int count, const char* file) {
     return -1;
 }
 
+/// A ghost for the scene that comes; one that its method refuses has none, and that is said.
+static void haunt(App* app, const char* path) {
+    Ghost* ghost = app->options->ghost;
+    if (!ghost)
+        return;
+    world_close(&ghost->world);
+    char method[80];
+    snprintf(method, sizeof method, "method=%s", app->options->compare);
+    WorldDef def;
+    Fault fault = {0};
+    *ghost = (Ghost){0};
+    const bool good = scene_load(path, &(SceneSet){method}, 1, &def, &fault) &&
+                      world_open(&ghost->world, &def, &fault);
+    if (!good)
+        app_say(app, "%s: %s", fault.place, fault.text);
+    session_compare(&app->session, good ? ghost : NULL);
+}
+
 static bool open_scene(App* app, const char* path, Fault* fault) {
     WorldDef def;
     World next;
@@ -71,8 +91,9 @@ static bool open_scene(App* app, const char* path, Fault* fault) {
     if (!world_open(&next, &def, fault))
         return false;
 
-    // the picture points into the world that goes
+    // the picture points into the worlds that go
     picture_close(&app->picture);
+    haunt(app, path);
     app->mode = mode;
     const bool logged = session_change(&app->session, &next, fault);
     app_look(app);
@@ -151,7 +172,10 @@ bool app_begin(App* app, World* world, Fault* fault) {
     const ShowOptions* options = app->options;
     app->world = world;
     app->mode = first_mode(app, fault);
-    return app->mode && session_open(&app->session, world, options->input, options->record, fault);
+    if (!app->mode || !session_open(&app->session, world, options->input, options->record, fault))
+        return false;
+    session_compare(&app->session, options->ghost);
+    return true;
 }
 
 bool app_open(App* app, Fault* fault) {

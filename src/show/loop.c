@@ -75,11 +75,15 @@ static void draw(App* app, double frame_ms) {
     renderer_draw(app->renderer, &app->picture);
     stages_drawn(&app->stages, renderer_times(app->renderer));
 
+    char compared[200] = "";
+    if (app->session.ghost)
+        ghost_words(app->session.ghost, app->world, compared, sizeof compared);
     const Status status = {
         .mode = app->mode,
         .hand = app->output.full_screen ? &app->hand : NULL, // no user where there is no screen
         .slow = app->pacer.slow,
         .paused = app->pacer.paused,
+        .compared = compared,
         .frame_ms = frame_ms,
         .message = app->panel.shown && app->message_left > 0 ? app->message : "",
     };

@@ -23,6 +23,8 @@ static bool advance(Session* session, long until, bool quiet, double* spent, Fau
     while (good && world->clock < until && !world->blowup.halted && !world->notice[0])
         good = session_step(session, fault);
     *spent += cpu_seconds() - start;
+    if (session->ghost) // its steps are its own
+        *spent = session->ghost->spent;
 
     if (world->notice[0] && !quiet)
         fprintf(stderr, "balloon: %s\n", world->notice);
@@ -87,6 +89,21 @@ static void print_about(const World* world) {
     }
 }
 
+static void csv_header(const Session* session, FILE* csv) {
+    probe_csv_header(session->world, csv);
+    fputs(session->ghost ? ",ghost.distance,cost,ghost.cost\n" : "\n", csv);
+}
+
+static void csv_row(const Session* session, FILE* csv) {
+    const World* world = session->world;
+    const Ghost* ghost = session->ghost;
+    probe_csv_row(world, csv);
+    if (ghost)
+        fprintf(csv, ",%.17g,%.6g,%.6g", ghost_distance(ghost, world),
+                ghost_cost(ghost, world, false), ghost_cost(ghost, world, true));
+    fputc('\n', csv);
+}
+
 /// Rows and steps, to the end or to a bad state.
 static bool simulate(Session* session, const RunOptions* options, FILE* csv, double* spent,
                      Fault* fault) {
@@ -94,8 +111,8 @@ static bool simulate(Session* session, const RunOptions* options, FILE* csv, dou
     const long frames = pacer_steps(options->seconds, 1 / options->fps);
     const long steps = pacer_steps(options->seconds, world->step);
     if (csv) {
-        probe_csv_header(world, csv);
-        probe_csv_row(world, csv);
+        csv_header(session, csv);
+        csv_row(session, csv);
     }
     for (long k = 1; k <= frames + 1; k++) {
         const long until = k <= frames ? pacer_steps((double)k / options->fps, world->step) : steps;
@@ -109,7 +126,7 @@ static bool simulate(Session* session, const RunOptions* options, FILE* csv, dou
         if (world->blowup.halted)
             return fault_set(fault, world->def.file, "%s", world->blowup.text);
         if (csv && k <= frames)
-            probe_csv_row(world, csv);
+            csv_row(session, csv);
     }
     return true;
 }
@@ -121,6 +138,7 @@ bool run(World* world, const RunOptions* options, Fault* fault) {
     if (!session_open(&session, world, options->input, options->record, fault))
         return false;
 
+    session_compare(&session, options->ghost);
     bool good = !options->csv || (csv = open_out(options->csv, fault)) != NULL;
     good = good && simulate(&session, options, csv, &spent, fault);
     if (csv) // rows up to a bad state are good
@@ -131,6 +149,11 @@ bool run(World* world, const RunOptions* options, Fault* fault) {
     if (options->time && came > 0 && (good || world->blowup.halted)) // as far as a bad state came
         printf("stepping %.6f s of CPU time for %g s: %.6f ms per simulated second\n", spent, came,
                1e3 * spent / came);
+    if (good && options->ghost && !options->quiet) {
+        char words[200];
+        ghost_words(options->ghost, world, words, sizeof words);
+        fprintf(csv == stdout ? stderr : stdout, "%s\n", words);
+    }
     session_close(&session);
     return good;
 }

@@ -2,7 +2,7 @@
 #ifndef BALLOON_SHOW_RUN_H
 #define BALLOON_SHOW_RUN_H
 
-#include "world/world.h"
+#include "show/ghost.h"
 
 typedef struct RunOptions {
     double seconds;     ///< simulated [s]
@@ -11,6 +11,7 @@ typedef struct RunOptions {
     const char* obj;    ///< file for the skins at the end, or NULL
     const char* input;  ///< input log to replay, or NULL
     const char* record; ///< file for the session's input log, or NULL
+    Ghost* ghost;       ///< a second copy to compare with, or NULL
     bool time;          ///< print the CPU time of stepping alone
     bool quiet;
 } RunOptions;

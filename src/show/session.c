@@ -48,8 +48,13 @@ bool session_open(Session* session, World* world, const char* input, const char*
     return false;
 }
 
+void session_compare(Session* session, Ghost* ghost) {
+    session->ghost = ghost;
+}
+
 static bool apply(Session* session, const Event* event, Fault* fault) {
-    if (!world_event(session->world, event, fault))
+    if (!world_event(session->world, event, fault) ||
+        (session->ghost && !world_event(&session->ghost->world, event, fault)))
         return false;
     record_add(&session->made, event, session->log);
     return true;
@@ -73,7 +78,10 @@ bool session_step(Session* session, Fault* fault) {
     while ((due = record_due(&session->replay, session->world->clock)))
         if (!apply(session, due, fault))
             return false;
-    world_step(session->world);
+    if (session->ghost)
+        ghost_step(session->ghost, session->world);
+    else
+        world_step(session->world);
     return true;
 }
 

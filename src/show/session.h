@@ -5,10 +5,11 @@
 #ifndef BALLOON_SHOW_SESSION_H
 #define BALLOON_SHOW_SESSION_H
 
-#include "world/world.h"
+#include "show/ghost.h"
 
 typedef struct Session {
     World* world;       ///< the caller's
+    Ghost* ghost;       ///< the caller's second copy, which gets the same input; NULL: none
     Record replay;      ///< events that are still to come
     Record made;        ///< events that were applied
     const char* record; ///< name of the log to be written; NULL: none
@@ -19,6 +20,9 @@ typedef struct Session {
 /// input: log to be replayed; record: log to be written; each NULL for none.
 bool session_open(Session* session, World* world, const char* input, const char* record,
                   Fault* fault);
+
+/// From now on a ghost gets what the world gets. It begins as the world does.
+void session_compare(Session* session, Ghost* ghost);
 
 /// A key of command_table goes down or up now.
 bool session_key(Session* session, int row, bool down, Fault* fault);

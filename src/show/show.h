@@ -5,7 +5,7 @@
 #ifndef BALLOON_SHOW_SHOW_H
 #define BALLOON_SHOW_SHOW_H
 
-#include "world/world.h"
+#include "show/ghost.h"
 
 typedef struct ShowOptions {
     int width;          ///< [px]
@@ -18,6 +18,8 @@ typedef struct ShowOptions {
                         ///< to other scenes, their logs are record.2, record.3, …
     const char* mode;   ///< display mode; NULL: what the scene says
     const char* screenshots; ///< folder for screenshots; NULL: where the user is
+    const char* compare;     ///< method of a ghost beside the scene; NULL: none
+    Ghost* ghost;            ///< with that method, the caller's; NULL: none
     bool time;               ///< print the mean time of a frame's stages in the end
     bool quiet;              ///< no progress and notices on stderr
     bool overlay;            ///< status box and sentences are drawn; a bad state is always said

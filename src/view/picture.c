@@ -52,6 +52,20 @@ void picture_open(Picture* picture, const World* world) {
     make_room(picture, world->collide.sphere_count);
 }
 
+void picture_ghost(Picture* picture, const World* ghost) {
+    const int own = picture->skin_count;
+    PictureSkin* skin = new_array(PictureSkin, own + ghost->balloon_count);
+    memcpy(skin, picture->skin, (size_t)own * sizeof *skin);
+    free(picture->skin);
+    picture->skin = skin;
+    for (int b = 0; b < ghost->balloon_count; b++) {
+        surface_open(&skin[own + b], &ghost->balloon[b]);
+        skin[own + b].paint = PAINT_GHOST;
+    }
+    picture->skin_count += ghost->balloon_count;
+    picture->ghost = ghost;
+}
+
 static void widen(float low[3], float high[3], const float point[3], float radius) {
     for (int k = 0; k < 3; k++) {
         low[k] = fminf(low[k], point[k] - radius);
@@ -102,6 +116,9 @@ void picture_take(Picture* picture, const World* world, const Camera* camera, co
         picture->changed |= surface_take(skin, &world->balloon[b]);
         rope_take(picture, &world->balloon[b]);
     }
+    for (int b = 0; picture->ghost && b < picture->ghost->balloon_count; b++)
+        picture->changed |=
+            surface_take(&picture->skin[world->balloon_count + b], &picture->ghost->balloon[b]);
     bound(picture, world);
     spheres_take(picture, world);
 

@@ -22,6 +22,7 @@ typedef enum SkinPaint {
     PAINT_RUBBER, ///< glossy coloured rubber, see-through at the rim, lighter where stretched
     PAINT_FIELD,  ///< matt, each point in its own colour from `tint`
     PAINT_FAINT,  ///< a pale, see-through shape behind lines that are the subject
+    PAINT_GHOST,  ///< a veil over everything: the skin of a second copy of the scene
     PAINT_COUNT
 } SkinPaint;
 
@@ -63,7 +64,8 @@ typedef struct Picture {
     long stamp;   ///< of skins and balls: while it stays the same so do they; 0: unknown
     bool changed; ///< against the last stamp
     int skin_count;
-    PictureSkin* skin; ///< [skin_count]
+    PictureSkin* skin;         ///< [skin_count] the world's, then the ghost's
+    const struct World* ghost; ///< NULL: there is none
     int line_count;
     int line_room;
     PictureLine* line; ///< [line_room]
@@ -85,6 +87,9 @@ struct Mode;  // view/mode.h
 /// Room for every line and ball that a display mode can draw of this world. The picture points into
 /// the world's meshes: close it before the world.
 void picture_open(Picture* picture, const struct World* world);
+
+/// Show the skins of a second world too, one that has been opened like the first.
+void picture_ghost(Picture* picture, const struct World* ghost);
 
 /// Fill the picture from the world's present state. Balls come after the knots, in their order.
 /// What has not moved since the last time is not computed again.

@@ -112,5 +112,7 @@ void status_take(Panel* panel, const World* world, const Picture* picture, const
     mode_row(panel, world, picture, status->mode);
     balloon_rows(panel, world);
     ball_rows(panel, world, status->hand);
+    if (status->compared && status->compared[0])
+        panel_row(panel, "ghost", "%s", status->compared);
     message(panel, world, status->message);
 }

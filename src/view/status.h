@@ -14,9 +14,10 @@ typedef struct Status {
     const Hand* hand; ///< the next ball, said once there are balls; NULL: nobody throws
     int slow;         ///< the world runs this many times slower than time
     bool paused;
-    double frame_ms;     ///< wall time of a frame [ms]; 0: not shown
-    const char* message; ///< a sentence for the lower rim; "": none. A blow-up comes first, and
-                         ///< a ball that passed through a skin last
+    const char* compared; ///< what is said of a ghost; "": there is none
+    double frame_ms;      ///< wall time of a frame [ms]; 0: not shown
+    const char* message;  ///< a sentence for the lower rim; "": none. A blow-up comes first, and
+                          ///< a ball that passed through a skin last
 } Status;
 
 /// Fill title, rows, message and alarm; the boxes' visibility and the keys are the caller's.

@@ -280,12 +280,10 @@ static bool print_value(void* self, const char* name, const Measure* measure) {
 
 void probe_csv_header(const World* world, FILE* out) {
     walk(world, (int)world->def.spheres_count, print_name, out);
-    fputc('\n', out);
 }
 
 void probe_csv_row(const World* world, FILE* out) {
     walk(world, (int)world->def.spheres_count, print_value, out);
-    fputc('\n', out);
 }
 
 typedef struct Wanted {

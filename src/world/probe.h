@@ -11,7 +11,7 @@
 
 #include "world/world.h"
 
-/// Header: "t,balloon0.volume,…".
+/// Header: "t,balloon0.volume,…"; the caller ends the line.
 void probe_csv_header(const World* world, FILE* out);
 
 /// One row, %.17g each.

@@ -9,7 +9,9 @@ static const char* const two_balls =
 static void csv(const World* world, char text[8192]) {
     FILE* out = tmpfile();
     probe_csv_header(world, out);
+    fputc('\n', out);
     probe_csv_row(world, out);
+    fputc('\n', out);
     rewind(out);
     text[fread(text, 1, 8191, out)] = 0;
     fclose(out);
