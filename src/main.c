@@ -41,7 +41,7 @@ typedef struct Options {
     const char* compare;
     const char* error;
     const char* budget;
-    bool hash, time, quiet, overlay, keep, quick, all, fresh, advised;
+    bool hash, time, quiet, overlay, lab, keep, quick, all, fresh, advised;
     SceneSet set[SETS_MOST];
     int set_count;
     char typed[SETS_MOST][256]; ///< texts of the sets that options such as --step stand for
@@ -68,6 +68,7 @@ static const Option option_table[] = {
     {"--out",       "PATH",     "render: a folder for frames, or a .png, .mp4, .webm, .gif; out", TEXT(out)},
     {"--mode",      "NAME",     "display mode; see balloon list",                  TEXT(mode)},
     {"--overlay",   NULL,       "render: pictures with the status box",            FLAG(overlay)},
+    {"--lab",       NULL,       "play, render: pictures with the lab's page",     FLAG(lab)},
     {"--input",     "FILE",     "replay an input log",                             TEXT(input)},
     {"--record",    "FILE",     "write the session's input log",                   TEXT(record)},
     {"--csv",       "FILE",     "numbers, one row a frame; - for standard output", TEXT(csv)},
@@ -217,6 +218,7 @@ static bool show_options(const Options* options, const World* world, Ghost* ghos
     show->overlay = options->overlay;
     show->compare = options->compare;
     show->ghost = options->compare ? ghost : NULL;
+    show->lab = options->lab;
     if (options->size &&
         (sscanf(options->size, "%dx%d", &show->width, &show->height) != 2 || show->width < 16 ||
          show->height < 16 || show->width > 16384 || show->height > 16384))

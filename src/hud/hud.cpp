@@ -6,25 +6,32 @@
 #include <imgui.h>
 #include <backends/imgui_impl_opengl3.h>
 
+#include "hud/parts.hpp"
+
+using namespace hud;
+
+namespace hud {
+
+float scale = 1;
+
+float width_of(const char* text) {
+    return ImGui::CalcTextSize(text).x;
+}
+
+void box(ImVec2 low, ImVec2 size, ImU32 color) {
+    ImGui::GetBackgroundDrawList()->AddRectFilled(low, ImVec2(low.x + size.x, low.y + size.y),
+                                                  color, ROUND * scale);
+}
+
+void text(float x, float y, ImU32 color, const char* words) {
+    ImGui::GetBackgroundDrawList()->AddText(ImVec2(x, y), color, words);
+}
+
+} // namespace hud
+
 // The boxes are laid out here and drawn as shapes and text, not as ImGui windows: those learn
 // their size from the frame before, so that two pictures of one panel would differ.
 namespace {
-
-constexpr ImU32 GLASS = IM_COL32(17, 20, 28, 190);
-constexpr ImU32 ALARM = IM_COL32(158, 20, 26, 230);
-constexpr ImU32 TITLE = IM_COL32(255, 219, 140, 255);
-constexpr ImU32 LABEL = IM_COL32(170, 182, 200, 255);
-constexpr ImU32 VALUE = IM_COL32(246, 247, 250, 255);
-
-// All in pixels at scale 1.
-constexpr float FONT_SIZE = 13; // what ImGui's own font is drawn for
-constexpr float LINE = 18;      // from one line of text to the next
-constexpr float MARGIN = 14;    // from the picture's edge to a box
-constexpr float PADDING = 12;   // from a box's edge to its text
-constexpr float GAP = 16;       // between the columns
-constexpr float ROUND = 8;      // radius of a box's corners
-
-float scale = 1;
 
 /// Two columns of text under a title, as wide as they need.
 struct Table {
@@ -48,19 +55,6 @@ const char* key_label(const Panel& panel, int i) {
 
 const char* key_value(const Panel& panel, int i) {
     return panel.key[i].about;
-}
-
-float width_of(const char* text) {
-    return ImGui::CalcTextSize(text).x;
-}
-
-void box(ImVec2 low, ImVec2 size, ImU32 color) {
-    ImGui::GetBackgroundDrawList()->AddRectFilled(low, ImVec2(low.x + size.x, low.y + size.y),
-                                                  color, ROUND * scale);
-}
-
-void text(float x, float y, ImU32 color, const char* words) {
-    ImGui::GetBackgroundDrawList()->AddText(ImVec2(x, y), color, words);
 }
 
 // right: the box ends at x, otherwise it begins there.
@@ -135,6 +129,8 @@ void hud_draw(const Panel* panel, int width, int height) {
     if (panel->help_shown)
         draw_table(*panel, {"Keys", panel->key_count, key_label, key_value},
                    size.x - MARGIN * scale, true);
+    else if (panel->page)
+        draw_page(*panel->page, size);
     if (panel->message[0])
         draw_message(*panel, size);
 

@@ -42,6 +42,8 @@ void app_look(App* app) {
     picture_open(&app->picture, app->world);
     if (app->session.ghost)
         picture_ghost(&app->picture, &app->session.ghost->world);
+    if (app->lab)
+        lab_page_begin(app->lab);
 }
 
 // ---- other scenes ----
@@ -114,6 +116,14 @@ void app_go(App* app, int direction) {
     free(path);
 }
 
+// ---- the lab ----
+
+/// What a step costs is of interest to a user, or to who asks for times.
+void app_lab(App* app, bool shown) {
+    lab_page_close(app->lab);
+    app->lab = shown ? lab_page_open(app->output.full_screen || app->options->time) : NULL;
+}
+
 // ---- screenshots ----
 
 static bool free_name(const char* folder, char file[600]) {
@@ -184,6 +194,7 @@ bool app_open(App* app, Fault* fault) {
     app->height = options->height;
     app->panel.shown = options->overlay;
     list_keys(&app->panel);
+    app_lab(app, options->lab);
     app_look(app);
     return open_renderer(app, fault);
 }
@@ -193,6 +204,7 @@ bool app_close(App* app, bool whole, Fault* fault) {
         hud_close();
     renderer_close(app->renderer);
     picture_close(&app->picture);
+    lab_page_close(app->lab);
     session_close(&app->session);
     return app->output.close(app->output.self, whole, fault);
 }

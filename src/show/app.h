@@ -2,6 +2,7 @@
 #ifndef BALLOON_SHOW_APP_H
 #define BALLOON_SHOW_APP_H
 
+#include "show/lab_page.h"
 #include "show/output.h"
 #include "show/pacer.h"
 #include "show/session.h"
@@ -25,6 +26,7 @@ typedef struct App {
     float pointer[2]; ///< where the mouse was at the key, 0…1 from the upper left
     Picture picture;
     Panel panel;
+    LabPage* lab;        ///< NULL: not shown, and nothing is measured for it
     char message[512];   ///< a sentence for the user
     double message_left; ///< how long it stays [s]
 
@@ -59,6 +61,9 @@ void app_look(App* app);
 /// Go on to the scene `direction` places further in the list of shipped scenes. One that does not
 /// load says why, and the present one stays.
 void app_go(App* app, int direction);
+
+/// Show the lab's page, or take it away.
+void app_lab(App* app, bool shown);
 
 /// Write the renderer's picture under the next free name, and say which.
 void app_screenshot(App* app);

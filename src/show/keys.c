@@ -76,6 +76,10 @@ static void help(App* app) {
     app->panel.help_shown = !app->panel.help_shown;
 }
 
+static void lab(App* app) {
+    app_lab(app, !app->lab);
+}
+
 static void full_screen(App* app) {
     if (app->output.full_screen)
         app->output.full_screen(app->output.self);
@@ -105,6 +109,7 @@ const ViewKey view_key_table[] = {
     {"z",          "size of the next ball: radius 0.05 to 0.8", next_radius},
     {"s",          "speed of the next ball: 1 to 200",         next_speed},
     {"o",          "show or hide the overlay",                 overlay},
+    {"l",          "show or hide the lab: plots over time",     lab},
     {"h",          "show or hide these keys",                  help},
     {"f11",        "full screen or window",                    full_screen},
     {"p",          "write a screenshot",                       screenshot},

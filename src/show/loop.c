@@ -1,6 +1,7 @@
 /// The main loop: input, steps that are due, picture, output.
 #include "show/app.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "hud/hud.h"
@@ -45,11 +46,22 @@ static void repeat_notice(App* app) {
     notice[0] = 0;
 }
 
+/// Steps from one picture to the next, at the present speed.
+static long steps_a_frame(const App* app) {
+    const double steps = 1 / (app->options->fps * app->pacer.slow * app->world->step);
+    return steps > 1 ? lround(steps) : 1;
+}
+
 static bool advance(App* app, double elapsed, Fault* fault) {
     long due = pacer_due(&app->pacer, elapsed);
-    for (; due > 0 && app->world->clock < app->last && !app->output.late(app->output.self); due--)
+    if (app->lab)
+        lab_page_start(app->lab);
+    for (; due > 0 && app->world->clock < app->last && !app->output.late(app->output.self); due--) {
         if (!session_step(&app->session, fault))
             return false;
+        if (app->lab)
+            lab_page_step(app->lab, app->world, steps_a_frame(app));
+    }
     repeat_notice(app);
     return true;
 }
@@ -88,6 +100,7 @@ static void draw(App* app, double frame_ms) {
         .message = app->panel.shown && app->message_left > 0 ? app->message : "",
     };
     status_take(&app->panel, app->world, &app->picture, &status);
+    app->panel.page = app->lab ? lab_page_take(app->lab, app->world) : NULL;
     renderer_bind_resolved(app->renderer);
     hud_draw(&app->panel, app->width, app->height);
     stages_end(&app->stages, STAGE_OVERLAY);

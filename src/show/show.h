@@ -22,6 +22,7 @@ typedef struct ShowOptions {
     Ghost* ghost;            ///< with that method, the caller's; NULL: none
     bool time;               ///< print the mean time of a frame's stages in the end
     bool quiet;              ///< no progress and notices on stderr
+    bool lab;                ///< the lab's page is drawn
     bool overlay;            ///< status box and sentences are drawn; a bad state is always said
 } ShowOptions;
 

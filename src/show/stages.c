@@ -6,19 +6,19 @@
 static const char* const stage_name[STAGES] = {"steps", "picture", "upload",  "shadow",
                                                "scene", "resolve", "overlay", "present"};
 
-static double now(void) {
+double stages_now(void) {
     struct timespec time;
     clock_gettime(CLOCK_MONOTONIC, &time);
     return 1e3 * (double)time.tv_sec + 1e-6 * (double)time.tv_nsec;
 }
 
 void stages_begin(Stages* stages) {
-    stages->since = now();
+    stages->since = stages_now();
     stages->frames++;
 }
 
 void stages_end(Stages* stages, Stage stage) {
-    const double end = now();
+    const double end = stages_now();
     stages->ms[stage] += end - stages->since;
     stages->since = end;
 }
@@ -28,7 +28,7 @@ void stages_drawn(Stages* stages, RendererTimes times) {
     stages->ms[STAGE_SHADOW] += times.shadow;
     stages->ms[STAGE_SCENE] += times.scene;
     stages->ms[STAGE_RESOLVE] += times.resolve;
-    stages->since = now();
+    stages->since = stages_now();
 }
 
 void stages_print(const Stages* stages) {

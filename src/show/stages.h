@@ -23,6 +23,9 @@ typedef struct Stages {
     long frames;
 } Stages;
 
+/// Wall time from some moment [ms].
+double stages_now(void);
+
 void stages_begin(Stages* stages);
 
 /// What has passed since the last call belongs to this stage.

@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "view/page.h"
+
 enum { PANEL_ROWS = 24, PANEL_TEXT = 112, PANEL_KEYS = 40 };
 
 /// "label  value", one line of the status box.
@@ -28,6 +30,7 @@ typedef struct Panel {
     bool help_shown; ///< the help box with all keys
     int key_count;
     PanelKey key[PANEL_KEYS];
+    const Page* page;  ///< the lab's, where no help is; NULL: not shown
     char message[512]; ///< a sentence in the middle of the lower rim; empty: none
     bool alarm;        ///< the message is about what must not be: shown in red
 } Panel;

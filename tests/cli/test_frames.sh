@@ -17,7 +17,7 @@ coloured() {
 render() { # render OUT SECONDS options…
     local out=$1 seconds=$2
     shift 2
-    "$balloon" render "$scene" --out "$out" --seconds "$seconds" --size 320x180 --quiet "$@" >/dev/null
+    "$balloon" render "$scene" --out "$out" --seconds "$seconds" --size 320x180 --quiet "$@" >"$scratch/hash"
 }
 
 # --- grows and shrinks by the keys, through an input log
@@ -68,6 +68,20 @@ for golden in tests/golden/*.png; do
     off=$(compare -metric RMSE "$golden" "$scratch/now.png" null: 2>&1 | sed -E 's/.*\((.*)\)/\1/')
     ok "$name looks as it did ($off)" less "$off" 0.01
 done
+
+# --- the lab's page
+scene=party
+for name in without with again; do
+    page=()
+    [ $name = without ] || page=(--lab)
+    render "$scratch/lab-$name.png" 1 "${page[@]}" --hash --size 640x480 && cat "$scratch/hash" >"$scratch/lab-$name"
+done
+right() { convert "$1" -gravity east -crop 45%x100%+0+0 +repage -format '%#' info:; }
+left() { convert "$1" -gravity west -crop 50%x100%+0+0 +repage -format '%#' info:; }
+ok "the lab's page is drawn" test "$(right "$scratch/lab-with.png")" != "$(right "$scratch/lab-without.png")"
+ok "and leaves the rest alone" test "$(left "$scratch/lab-with.png")" = "$(left "$scratch/lab-without.png")"
+ok "the same input draws the same page" cmp "$scratch/lab-with.png" "$scratch/lab-again.png"
+ok "and the state is the same without it" cmp "$scratch/lab-with" "$scratch/lab-without"
 
 # --- the stages of a frame are said
 "$balloon" render "$scene" --out "$scratch/timed" --seconds 0.1 --fps 20 --size 320x180 --quiet --time >"$scratch/stages"

@@ -367,6 +367,37 @@ static void the_overlay_says_the_same_twice_and_stays_in_its_corner(void** state
     hud_close();
 }
 
+/// Its column is the right part of the picture; what rises is drawn rising.
+static void the_labs_page_draws_its_plots_on_the_right(void** state) {
+    (void)state;
+    Fault fault = {0};
+    assert_true(hud_open(1, &fault));
+    static Page page = {.title = "Balloon 0", .count = 2, .t = {0, 1}, .plot_count = 1};
+    page.plot[0] = (PagePlot){.label = "volume", .value = "2", .y = {1, 2}};
+    const Panel panel = {.page = &page};
+    Pixels* both[2] = {&pixels, &others};
+    int bright[2][2] = {{0}}; // in the left half of the plot, above and below its middle
+    for (int i = 0; i < 2; i++) {
+        page.plot[0].y[1 - i] = 1;
+        page.plot[0].y[i] = 2;
+        renderer_draw(renderer, &studio.picture);
+        hud_draw(&panel, WIDTH, HEIGHT);
+        renderer_read(renderer, (*both[i])[0][0]);
+    }
+    const int left = 70, center = 102, top = 69, middle = 74, low = 79; // of hud/page.cpp
+    for (int i = 0; i < 2; i++)
+        for (int y = top; y < low; y++)
+            for (int x = left; x < center; x++)
+                bright[i][y >= middle] += brightness((*both[i])[y][x]) > 300;
+    assert_true(bright[1][1] > bright[1][0]); // rising
+    assert_true(bright[0][0] > bright[0][1]); // falling
+
+    draw(others);
+    for (int y = 0; y < HEIGHT; y++)
+        assert_memory_equal(pixels[y], others[y], 3 * (WIDTH / 2 - 24));
+    hud_close();
+}
+
 static void a_panel_takes_no_more_rows_than_it_has(void** state) {
     (void)state;
     static Panel panel;
@@ -413,6 +444,7 @@ int main(void) {
         cmocka_unit_test_setup(the_floor_under_a_balloon_is_darker, set_up),
         cmocka_unit_test(depth_sort_is_far_to_near_and_stable),
         cmocka_unit_test_setup(the_overlay_says_the_same_twice_and_stays_in_its_corner, set_up),
+        cmocka_unit_test_setup(the_labs_page_draws_its_plots_on_the_right, set_up),
         cmocka_unit_test(a_panel_takes_no_more_rows_than_it_has),
     };
     return cmocka_run_group_tests(tests, open_all, close_all);

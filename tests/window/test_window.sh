@@ -149,6 +149,14 @@ for mode in quads springs forces pressure stretch normals skin; do # those of ru
     ok "the mode key shows $mode" until_true moved 50
 done
 
+# --- the lab's page
+shot && cp "$file" "$scratch/before.png"
+xdotool key l
+ok "the lab's page is shown" until_true moved 5000
+xdotool key l
+gone() { shot && [ "$(differing "$scratch/before.png" "$file")" = 0 ]; }
+ok "and goes again, and nothing is left of it" until_true gone
+
 # --- the window's size
 sized() { shot && [ "$(size "$file")" = "$1" ]; }
 xdotool windowsize "$(window)" 500 400

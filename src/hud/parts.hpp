@@ -1,0 +1,38 @@
+/// What the files of the overlay share: colours, sizes, and the shapes that they draw.
+#ifndef BALLOON_HUD_PARTS_HPP
+#define BALLOON_HUD_PARTS_HPP
+
+#include <imgui.h>
+
+#include "view/page.h"
+
+namespace hud {
+
+constexpr ImU32 GLASS = IM_COL32(17, 20, 28, 190);
+constexpr ImU32 ALARM = IM_COL32(158, 20, 26, 230);
+constexpr ImU32 TITLE = IM_COL32(255, 219, 140, 255);
+constexpr ImU32 LABEL = IM_COL32(170, 182, 200, 255);
+constexpr ImU32 VALUE = IM_COL32(246, 247, 250, 255);
+constexpr ImU32 PLATE = IM_COL32(255, 255, 255, 18); // behind a plot
+constexpr ImU32 LINE_COLOR = IM_COL32(118, 196, 255, 255);
+
+// All in pixels at scale 1.
+constexpr float FONT_SIZE = 13; // what ImGui's own font is drawn for
+constexpr float LINE = 18;      // from one line of text to the next
+constexpr float MARGIN = 14;    // from the picture's edge to a box
+constexpr float PADDING = 12;   // from a box's edge to its text
+constexpr float GAP = 16;       // between the columns
+constexpr float ROUND = 8;      // radius of a box's corners
+
+extern float scale;
+
+float width_of(const char* text);
+void box(ImVec2 low, ImVec2 size, ImU32 color);
+void text(float x, float y, ImU32 color, const char* words);
+
+/// The lab's page along the right rim of a picture of this size.
+void draw_page(const Page& page, ImVec2 size);
+
+} // namespace hud
+
+#endif

@@ -1,0 +1,34 @@
+/// The lab in the window: what its page shows, measured while it is shown and not otherwise. It
+/// looks at the world and never changes it.
+#ifndef BALLOON_SHOW_LAB_PAGE_H
+#define BALLOON_SHOW_LAB_PAGE_H
+
+#include "view/history.h"
+
+typedef struct LabPage {
+    Page page;
+    History history;
+    double since; ///< when the step that comes now began [ms]
+    double spent; ///< on the steps since the last point [ms]
+    int steps;    ///< since the last point
+    bool timed;   ///< what a step costs is plotted
+} LabPage;
+
+/// timed: what a step costs is shown too, and then no two pictures are the same.
+LabPage* lab_page_open(bool timed);
+
+/// Another world is on, or the same from its start.
+void lab_page_begin(LabPage* lab);
+
+/// Steps begin now, which nothing but they will take time from.
+void lab_page_start(LabPage* lab);
+
+/// After each step. every: steps between two points of a plot.
+void lab_page_step(LabPage* lab, const World* world, long every);
+
+/// What is to be drawn.
+const Page* lab_page_take(LabPage* lab, const World* world);
+
+void lab_page_close(LabPage* lab);
+
+#endif

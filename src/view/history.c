@@ -1,0 +1,78 @@
+#include "view/history.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "world/probe.h"
+
+// clang-format off
+static const struct Quantity {
+    const char* column; ///< of the balloon; NULL: what a step cost
+    const char* label;
+    const char* unit;
+} quantity_table[PAGE_PLOTS] = {
+    {"volume",         "volume",   ""},
+    {"gauge_pressure", "pressure", ""},
+    {"total_energy",   "energy",   ""},
+    {NULL,             "a step",   " ms"},
+};
+// clang-format on
+
+int history_balloon(const World* world) {
+    return world->selected == ALL_BALLOONS ? 0 : world->selected;
+}
+
+void history_begin(History* history) {
+    *history = (History){.balloon = NONE, .last = -1};
+}
+
+bool history_due(const History* history, const World* world, long every) {
+    return history->balloon != history_balloon(world) || world->step_count < history->last ||
+           world->step_count >= history->last + every;
+}
+
+void history_add(History* history, const World* world, double ms) {
+    const int balloon = history_balloon(world);
+    if (balloon != history->balloon || world->step_count < history->last)
+        history_begin(history);
+    history->balloon = balloon;
+    history->last = world->step_count;
+
+    const int at = history->next;
+    history->t[at] = world_time(world);
+    for (int k = 0; k < PAGE_PLOTS; k++) {
+        char column[64];
+        double* value = &history->value[k][at];
+        *value = ms;
+        if (!quantity_table[k].column)
+            continue;
+        snprintf(column, sizeof column, "balloon%d.%s", balloon, quantity_table[k].column);
+        if (!probe_value(world, column, value))
+            *value = (double)NAN;
+    }
+    history->next = (at + 1) % PAGE_POINTS;
+    history->count += history->count < PAGE_POINTS;
+}
+
+/// Place in the ring of the k-th point from the oldest.
+static int place(const History* history, int k) {
+    return (history->next - history->count + k + PAGE_POINTS) % PAGE_POINTS;
+}
+
+void history_take(const History* history, Page* page) {
+    page->count = history->count;
+    page->plot_count = 0;
+    for (int k = 0; k < history->count; k++)
+        page->t[k] = (float)history->t[place(history, k)];
+
+    for (int q = 0; q < PAGE_PLOTS && history->count > 0; q++) {
+        const double now = history->value[q][place(history, history->count - 1)];
+        if (!isfinite(now))
+            continue;
+        PagePlot* plot = &page->plot[page->plot_count++];
+        plot->label = quantity_table[q].label;
+        snprintf(plot->value, sizeof plot->value, "%.4g%s", now, quantity_table[q].unit);
+        for (int k = 0; k < history->count; k++)
+            plot->y[k] = (float)history->value[q][place(history, k)];
+    }
+}

@@ -1,0 +1,38 @@
+/// What a balloon did lately: numbers over the last few seconds, for the plots of the lab's page.
+///
+/// A point is kept every 1/rate of a second that passes on the screen, the last PAGE_POINTS of
+/// them: 5 s at 60 a second, and less of the world's time in slow motion. A reset and another
+/// balloon begin it again.
+#ifndef BALLOON_VIEW_HISTORY_H
+#define BALLOON_VIEW_HISTORY_H
+
+#include "view/page.h"
+#include "world/world.h"
+
+/// Columns of the CSV (world/probe.h), then what a step cost.
+enum { HISTORY_COLUMNS = PAGE_PLOTS - 1 };
+
+typedef struct History {
+    int balloon;
+    long last; ///< step of the last point; before the first: less than 0
+    int next;  ///< place of the next point in the ring
+    int count;
+    double t[PAGE_POINTS];                 ///< [s]
+    double value[PAGE_PLOTS][PAGE_POINTS]; ///< NAN where the balloon has no such column
+} History;
+
+/// The balloon that keys act on, or the first where they act on all.
+int history_balloon(const World* world);
+
+void history_begin(History* history);
+
+/// Whether a point is due after this step. every: steps from one to the next.
+bool history_due(const History* history, const World* world, long every);
+
+/// Keep a point. ms: what a step cost; NAN: nobody has measured it.
+void history_add(History* history, const World* world, double ms);
+
+/// The plots of what there is; what no point has is left out.
+void history_take(const History* history, Page* page);
+
+#endif
