@@ -16,7 +16,7 @@ declare -A may=(
     [view]="base mesh body world view"
     [draw]="base view draw"
     [hud]="base view hud"
-    [show]="base world view draw hud show"
+    [show]="base world lab view draw hud show"
 )
 # a library's folders, or the one file of a folder that may see it
 declare -A library=(

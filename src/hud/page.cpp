@@ -15,6 +15,8 @@ constexpr float NAMES = 70;  // of the plots' labels
 constexpr float GRAPH = 46;  // height of a plot, where there is room
 constexpr float LEAST = 14;  // and where there is none
 constexpr float STROKE = 1.5f;
+constexpr float TALL = 2.5f; // the curve, in plots
+constexpr float DOT = 4;     // radius
 
 // What moves by less than this much of its size is drawn level. [1]
 constexpr float LEVEL = 1e-3f;
@@ -94,6 +96,32 @@ void draw_times(const Page& page, float left, float right, float y) {
     text_right(right, y, LABEL, words);
 }
 
+void draw_curve(const PageCurve& curve, ImVec2 low, ImVec2 size) {
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    const auto at = [&](float l, float p) {
+        return ImVec2(low.x + size.x * (l - 1) / (curve.stretch - 1),
+                      low.y + size.y * (1 - p / curve.pressure));
+    };
+    plate(low, size);
+    list->PushClipRect(low, ImVec2(low.x + size.x, low.y + size.y), true);
+    for (int k = 1; k < PAGE_CURVE; k++) {
+        const float step = (curve.stretch - 1) / (PAGE_CURVE - 1);
+        line(at(1 + step * static_cast<float>(k - 1), curve.truth[k - 1]),
+             at(1 + step * static_cast<float>(k), curve.truth[k]), TRUTH);
+    }
+    for (int k = 1; k < curve.count; k++)
+        line(at(curve.way[k - 1][0], curve.way[k - 1][1]), at(curve.way[k][0], curve.way[k][1]),
+             LINE_COLOR);
+    list->PopClipRect();
+    if (curve.count == 0)
+        return;
+    const float* now = curve.way[curve.count - 1];
+    const ImVec2 dot = at(now[0], now[1]);
+    list->AddCircleFilled(
+        ImVec2(std::clamp(dot.x, low.x, low.x + size.x), std::clamp(dot.y, low.y, low.y + size.y)),
+        DOT * scale, VALUE);
+}
+
 } // namespace
 
 void draw_page(const Page& page, ImVec2 size) {
@@ -102,11 +130,13 @@ void draw_page(const Page& page, ImVec2 size) {
     const float plots = static_cast<float>(page.plot_count);
 
     // texts have their heights, the plots share what is left
-    const float words = (1.4f + plots + 1.2f) * LINE * scale + 2 * PADDING * scale;
+    const float lines = 1.4f + plots + 1.2f + (page.has_curve ? 2 : 0);
+    const float parts = plots + (page.has_curve ? TALL : 0);
+    const float words = lines * LINE * scale + 2 * PADDING * scale;
     const float rest = size.y - 2 * MARGIN * scale - words;
-    const float graph = std::clamp(rest / std::max(plots, 1.0f), LEAST * scale, GRAPH * scale);
+    const float graph = std::clamp(rest / std::max(parts, 1.0f), LEAST * scale, GRAPH * scale);
     box(ImVec2(left - PADDING * scale, MARGIN * scale),
-        ImVec2(wide + 2 * PADDING * scale, words + plots * graph), GLASS);
+        ImVec2(wide + 2 * PADDING * scale, words + parts * graph), GLASS);
 
     float y = (MARGIN + PADDING) * scale;
     text(left, y, TITLE, page.title);
@@ -118,6 +148,18 @@ void draw_page(const Page& page, ImVec2 size) {
         y += graph;
     }
     draw_times(page, left, right, y);
+    y += 1.2f * LINE * scale;
+    if (page.has_curve) {
+        char end[32];
+        text(left, y, TITLE, "Pressure over stretch");
+        text_right(right, y, TRUTH, page.curve.law);
+        y += LINE * scale;
+        draw_curve(page.curve, ImVec2(left, y), ImVec2(wide, TALL * graph - 4 * scale));
+        y += TALL * graph;
+        std::snprintf(end, sizeof end, "%.3g", static_cast<double>(page.curve.stretch));
+        text_right(right, y, LABEL, end);
+        text(left, y, VALUE, page.curve.value);
+    }
 }
 
 } // namespace hud

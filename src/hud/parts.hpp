@@ -14,6 +14,7 @@ constexpr ImU32 TITLE = IM_COL32(255, 219, 140, 255);
 constexpr ImU32 LABEL = IM_COL32(170, 182, 200, 255);
 constexpr ImU32 VALUE = IM_COL32(246, 247, 250, 255);
 constexpr ImU32 PLATE = IM_COL32(255, 255, 255, 18); // behind a plot
+constexpr ImU32 TRUTH = IM_COL32(255, 170, 70, 255);
 constexpr ImU32 LINE_COLOR = IM_COL32(118, 196, 255, 255);
 
 // All in pixels at scale 1.

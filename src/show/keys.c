@@ -109,7 +109,7 @@ const ViewKey view_key_table[] = {
     {"z",          "size of the next ball: radius 0.05 to 0.8", next_radius},
     {"s",          "speed of the next ball: 1 to 200",         next_speed},
     {"o",          "show or hide the overlay",                 overlay},
-    {"l",          "show or hide the lab: plots over time",     lab},
+    {"l",          "show or hide the lab: plots, a curve",     lab},
     {"h",          "show or hide these keys",                  help},
     {"f11",        "full screen or window",                    full_screen},
     {"p",          "write a screenshot",                       screenshot},

@@ -16,11 +16,14 @@ LabPage* lab_page_open(bool timed) {
 
 void lab_page_begin(LabPage* lab) {
     history_begin(&lab->history);
+    lab->looked = NONE;
     lab->spent = 0;
     lab->steps = 0;
 }
 
-void lab_page_start(LabPage* lab) {
+void lab_page_start(LabPage* lab, const World* world) {
+    if (lab->history.count == 0)
+        history_add(&lab->history, world, (double)NAN);
     lab->since = lab->timed ? stages_now() : 0;
 }
 
@@ -33,13 +36,54 @@ void lab_page_step(LabPage* lab, const World* world, long every) {
         lab->spent = 0;
         lab->steps = 0;
     }
-    lab_page_start(lab);
+    lab_page_start(lab, world);
+}
+
+/// The axis of stretches ends at the least of these that all points are below.
+static const double end_table[] = {1.05, 1.1, 1.25, 1.5, 2, 3, 5, 10};
+enum { ENDS = sizeof end_table / sizeof *end_table };
+/// The axis of pressures ends above the truth's highest. [1]
+static const double above = 1.3;
+
+static void curve_take(const History* history, const Round* round, PageCurve* curve) {
+    double l = 1, p = 0, most = 1, highest = 0;
+    curve->law = round->truth.law->name;
+    curve->count = history->count;
+    for (int k = 0; k < history->count; k++) {
+        l = cbrt(history_value(history, HISTORY_VOLUME, k) / round->volume);
+        p = history_value(history, HISTORY_PRESSURE, k);
+        most = fmax(most, l);
+        curve->way[k][0] = (float)l;
+        curve->way[k][1] = (float)p;
+    }
+    int end = 0;
+    while (end + 1 < ENDS && end_table[end] < most)
+        end++;
+    for (int k = 0; k < PAGE_CURVE; k++) {
+        const double at = 1 + (end_table[end] - 1) * k / (PAGE_CURVE - 1);
+        const double truth = truth_pressure(&round->truth, at);
+        highest = fmax(highest, truth);
+        curve->truth[k] = (float)truth;
+    }
+    curve->stretch = (float)end_table[end];
+    curve->pressure = (float)(above * highest);
+    snprintf(curve->value, sizeof curve->value, "l %.4g  p %.4g  truth %.4g", l, p,
+             truth_pressure(&round->truth, l));
 }
 
 const Page* lab_page_take(LabPage* lab, const World* world) {
-    snprintf(lab->page.title, sizeof lab->page.title, "Balloon %d", history_balloon(world));
-    history_take(&lab->history, &lab->page);
-    return &lab->page;
+    Page* page = &lab->page;
+    const int balloon = history_balloon(world);
+    snprintf(page->title, sizeof page->title, "Balloon %d", balloon);
+    history_take(&lab->history, page);
+
+    if (lab->looked != balloon)
+        page->has_curve = world->balloon[balloon].def->inflation &&
+                          round_find(&world->balloon[balloon], &lab->round);
+    lab->looked = balloon;
+    if (page->has_curve)
+        curve_take(&lab->history, &lab->round, &page->curve);
+    return page;
 }
 
 void lab_page_close(LabPage* lab) {

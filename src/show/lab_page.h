@@ -3,6 +3,7 @@
 #ifndef BALLOON_SHOW_LAB_PAGE_H
 #define BALLOON_SHOW_LAB_PAGE_H
 
+#include "lab/round.h"
 #include "view/history.h"
 
 typedef struct LabPage {
@@ -12,6 +13,8 @@ typedef struct LabPage {
     double spent; ///< on the steps since the last point [ms]
     int steps;    ///< since the last point
     bool timed;   ///< what a step costs is plotted
+    int looked;   ///< balloon that was looked at for a closed form; NONE: none was
+    Round round;  ///< its form, where the page has a curve
 } LabPage;
 
 /// timed: what a step costs is shown too, and then no two pictures are the same.
@@ -21,7 +24,7 @@ LabPage* lab_page_open(bool timed);
 void lab_page_begin(LabPage* lab);
 
 /// Steps begin now, which nothing but they will take time from.
-void lab_page_start(LabPage* lab);
+void lab_page_start(LabPage* lab, const World* world);
 
 /// After each step. every: steps between two points of a plot.
 void lab_page_step(LabPage* lab, const World* world, long every);

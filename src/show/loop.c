@@ -55,7 +55,7 @@ static long steps_a_frame(const App* app) {
 static bool advance(App* app, double elapsed, Fault* fault) {
     long due = pacer_due(&app->pacer, elapsed);
     if (app->lab)
-        lab_page_start(app->lab);
+        lab_page_start(app->lab, app->world);
     for (; due > 0 && app->world->clock < app->last && !app->output.late(app->output.self); due--) {
         if (!session_step(&app->session, fault))
             return false;

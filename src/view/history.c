@@ -11,10 +11,10 @@ static const struct Quantity {
     const char* label;
     const char* unit;
 } quantity_table[PAGE_PLOTS] = {
-    {"volume",         "volume",   ""},
-    {"gauge_pressure", "pressure", ""},
-    {"total_energy",   "energy",   ""},
-    {NULL,             "a step",   " ms"},
+    [HISTORY_VOLUME]   = {"volume",         "volume",   ""},
+    [HISTORY_PRESSURE] = {"gauge_pressure", "pressure", ""},
+    [HISTORY_ENERGY]   = {"total_energy",   "energy",   ""},
+    [HISTORY_COST]     = {NULL,             "a step",   " ms"},
 };
 // clang-format on
 
@@ -59,6 +59,10 @@ static int place(const History* history, int k) {
     return (history->next - history->count + k + PAGE_POINTS) % PAGE_POINTS;
 }
 
+double history_value(const History* history, int quantity, int k) {
+    return history->value[quantity][place(history, k)];
+}
+
 void history_take(const History* history, Page* page) {
     page->count = history->count;
     page->plot_count = 0;
@@ -66,13 +70,13 @@ void history_take(const History* history, Page* page) {
         page->t[k] = (float)history->t[place(history, k)];
 
     for (int q = 0; q < PAGE_PLOTS && history->count > 0; q++) {
-        const double now = history->value[q][place(history, history->count - 1)];
+        const double now = history_value(history, q, history->count - 1);
         if (!isfinite(now))
             continue;
         PagePlot* plot = &page->plot[page->plot_count++];
         plot->label = quantity_table[q].label;
         snprintf(plot->value, sizeof plot->value, "%.4g%s", now, quantity_table[q].unit);
         for (int k = 0; k < history->count; k++)
-            plot->y[k] = (float)history->value[q][place(history, k)];
+            plot->y[k] = (float)history_value(history, q, k);
     }
 }

@@ -9,8 +9,8 @@
 #include "view/page.h"
 #include "world/world.h"
 
-/// Columns of the CSV (world/probe.h), then what a step cost.
-enum { HISTORY_COLUMNS = PAGE_PLOTS - 1 };
+/// What is kept: columns of the CSV (world/probe.h), and what a step cost.
+enum { HISTORY_VOLUME, HISTORY_PRESSURE, HISTORY_ENERGY, HISTORY_COST };
 
 typedef struct History {
     int balloon;
@@ -31,6 +31,9 @@ bool history_due(const History* history, const World* world, long every);
 
 /// Keep a point. ms: what a step cost; NAN: nobody has measured it.
 void history_add(History* history, const World* world, double ms);
+
+/// A value of the k-th point from the oldest.
+double history_value(const History* history, int quantity, int k);
 
 /// The plots of what there is; what no point has is left out.
 void history_take(const History* history, Page* page);

@@ -1,9 +1,12 @@
-/// The lab's page of the overlay, as plain arrays: plots over time. Whoever has measured fills it,
+/// The lab's page of the overlay, as plain arrays: plots over time, and what a
+/// skin should do beside what it does. Whoever has measured fills it,
 /// hud/ draws it the same in the window and headless.
 #ifndef BALLOON_VIEW_PAGE_H
 #define BALLOON_VIEW_PAGE_H
 
-enum { PAGE_PLOTS = 4, PAGE_POINTS = 300 };
+#include <stdbool.h>
+
+enum { PAGE_PLOTS = 4, PAGE_POINTS = 300, PAGE_CURVE = 120 };
 
 /// One quantity over the page's times.
 typedef struct PagePlot {
@@ -12,12 +15,24 @@ typedef struct PagePlot {
     float y[PAGE_POINTS];
 } PagePlot;
 
+/// Pressure over stretch: what it should be, and the way that the balloon has come.
+typedef struct PageCurve {
+    const char* law;           ///< whose closed form it is
+    char value[64];            ///< where the balloon is, and how far off
+    float stretch, pressure;   ///< ends of the axes, which begin at 1 and 0
+    float truth[PAGE_CURVE];   ///< p at equal distances from l = 1 to `stretch`
+    int count;                 ///< points of the way, the last of which is now
+    float way[PAGE_POINTS][2]; ///< [count] l, p
+} PageCurve;
+
 typedef struct Page {
     char title[64];
     int count;            ///< points of every plot
     float t[PAGE_POINTS]; ///< [count] their times, rising [s]
     int plot_count;
     PagePlot plot[PAGE_PLOTS];
+    bool has_curve;
+    PageCurve curve;
 } Page;
 
 #endif
