@@ -6,13 +6,13 @@
 ///               takes P to -h^2 dE/dx to first order: u += w dP, w = 1 / (m + h c)
 ///     v' = u / h
 ///
-/// Constraints are taken in the springs' order, then strings, then the gas; a round of all is an
-/// iteration, and a step makes as many as the scene says (1, with small steps instead). Where
-/// rounds end early, stiffness is what got through: it depends on iterations, step and mesh. Where
-/// they do not, the step is backward Euler's. Order 1; never unstable; linear momentum to rounding,
-/// angular momentum to order. Sources: M. Macklin, M. Mueller, N. Chentanez, XPBD: position-based
-/// simulation of compliant constrained dynamics, 2016; M. Macklin et al., Small steps in physics
-/// simulation, 2019.
+/// Springs are taken eight at a time that share no particle (solve/batches.h), then strings, then
+/// the gas; a round of all is an iteration, and a step makes as many as the scene says (1, with
+/// small steps instead). Where rounds end early, stiffness is what got through: it depends on
+/// iterations, step and mesh. Where they do not, the step is backward Euler's. Order 1; never
+/// unstable; linear momentum to rounding, angular momentum to order. Sources: M. Macklin, M.
+/// Mueller, N. Chentanez, XPBD: position-based simulation of compliant constrained dynamics, 2016;
+/// M. Macklin et al., Small steps in physics simulation, 2019.
 ///
 /// springs    with d the length, n the direction, l = d / rest, a = 1/k and W the sum of both w
 ///
@@ -32,6 +32,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "solve/batches.h"
 #include "solve/method.h"
 #include "solve/predict.h"
 
@@ -40,14 +41,14 @@ enum { ITERATIONS = 1 };
 typedef struct Room {
     int iterations;
     Predict predict;
-    real4* impulse; ///< [springs] P, on the second end [kg m]
-    double gas;     ///< L [kg/m]
+    Batches springs;
+    double gas; ///< L [kg/m]
 } Room;
 
 static void* open(Body* body, const Solver* solver) {
     Room* room = new_array(Room, 1);
     room->iterations = solver->iterations > 0 ? solver->iterations : ITERATIONS;
-    room->impulse = new_array(real4, body->springs.count);
+    batches_make(&room->springs, &body->springs, body->count);
     predict_open(&room->predict, body);
     return room;
 }
@@ -57,30 +58,21 @@ static void close(void* self) {
     if (!room)
         return;
     predict_close(&room->predict);
-    free(room->impulse);
+    batches_free(&room->springs);
     free(room);
 }
 
-/// A constraint now: the direction in which its length grows, its pull over the stiffness, and
-/// how that grows.
+/// A string now, of Hooke's law: the direction in which its length grows, its pull over the
+/// stiffness, and how that grows.
 typedef struct Stretched {
     real4 n;
     real pull, slope; ///< C C' [m], C'^2 [1]
     real now;         ///< length [m]
 } Stretched;
 
-static inline Stretched stretched(real4 d, real rest, SpringLaw law) {
-    const real now = length(d), over = now - rest;
-    Stretched s = {.n = d / now, .pull = over, .slope = 1, .now = now};
-    if (law == LAW_TENSION && over < 0) {
-        s.pull = s.slope = 0;
-    } else if (law == LAW_RUBBER && over > 0) {
-        const real l = now / rest, r2 = 1 / (l * l), root = (2 * l * l + 1) / 12;
-        const real c1 = l * (1 + r2 + r2 * r2) / 6; // C' root^(1/2)
-        s.pull = rest * (1 - r2) * c1;
-        s.slope = c1 * c1 / root;
-    }
-    return s;
+static inline Stretched stretched(real4 d, real rest) {
+    const real now = length(d);
+    return (Stretched){.n = d / now, .pull = now - rest, .slope = 1, .now = now};
 }
 
 /// dP of a constraint that has given P so far, `stiff` = h^2 k.
@@ -92,23 +84,6 @@ static inline real4 change(const Stretched* s, real stiff, real weight, real4 gi
            aside / (1 + turned * weight);
 }
 
-static void relax_springs(const Springs* springs, const real4* restrict x,
-                          const real* restrict weight, real h2, real4* restrict u,
-                          real4* restrict impulse) {
-    const SpringLaw law = springs->law;
-    for (int s = 0; s < springs->count; s++) {
-        const int i = springs->end[s][0], j = springs->end[s][1];
-        const real4 d = (x[j] - x[i]) + (u[j] - u[i]);
-        if (!(dot(d, d) > 0)) // it pulls nowhere
-            continue;
-        const Stretched now = stretched(d, springs->rest[s], law);
-        const real4 by = change(&now, h2 * springs->active[s], weight[i] + weight[j], impulse[s]);
-        impulse[s] += by;
-        u[i] -= weight[i] * by;
-        u[j] += weight[j] * by;
-    }
-}
-
 static void relax_strings(Body* body, const real* weight, real h2, real4* u) {
     for (int k = 0; k < body->string_count; k++) {
         String* string = &body->string[k];
@@ -116,7 +91,7 @@ static void relax_strings(Body* body, const real* weight, real h2, real4* u) {
         const real4 d = (body->x[i] - string->anchor) + u[i];
         if (!(dot(d, d) > 0))
             continue;
-        const Stretched now = stretched(d, string->free_length, false);
+        const Stretched now = stretched(d, string->free_length);
         real4 next =
             string->impulse + change(&now, h2 * string->stiffness, weight[i], string->impulse);
         if (dot(next, now.n) > 0) // it would push
@@ -154,15 +129,14 @@ static bool kick(Body* body, void* self, double h, Effort* effort) {
     *effort = (Effort){.iterations = room->iterations};
 
     predict_begin(predict, body, h);
-    memset(room->impulse, 0, (size_t)body->springs.count * sizeof *room->impulse);
+    batches_begin(&room->springs, &body->springs, predict->weight, (real)h2);
     for (int k = 0; k < body->string_count; k++)
         body->string[k].impulse = (real4){0, 0, 0, 0};
     room->gas = 0;
     const double gas_behind = gas ? gas_weight(body, predict->weight) : 0;
 
     for (int n = 0; n < room->iterations; n++) {
-        relax_springs(&body->springs, body->x, predict->weight, (real)h2, predict->u,
-                      room->impulse);
+        batches_relax(&room->springs, body->springs.law, body->x, predict->u);
         relax_strings(body, predict->weight, (real)h2, predict->u);
         if (gas)
             relax_gas(body, room, gas_behind, h2);
