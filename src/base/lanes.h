@@ -23,6 +23,7 @@ typedef int32_t lane_bits;
 #endif
 typedef real lanes __attribute__((vector_size(LANES * sizeof(real))));
 typedef lane_bits lane_mask __attribute__((vector_size(LANES * sizeof(real))));
+typedef double lanes_double __attribute__((vector_size(LANES * sizeof(double))));
 
 /// Eight vectors of space.
 typedef struct Lanes3 {
