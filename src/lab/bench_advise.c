@@ -183,7 +183,8 @@ static bool ask_all(const AskedScene* asked, double factor, bool quick, Tally* t
     return good;
 }
 
-static bool run(bool quick, Fault* fault) {
+static bool run(const BenchOptions* options, Fault* fault) {
+    const bool quick = options->quick;
     Tally tally = {0};
     puts("scene,asked_error,asked_ms,method,level,step,precision,expected_error,measured_error,"
          "expected_ms,measured_ms");
