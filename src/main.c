@@ -173,13 +173,12 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
 
 /// Read the scene and open its world, in the precision that it asks for; with a method of its own,
 /// or as it is.
-static bool open_copy(const Options* options, const char* method, World* world, char** argv,
-                      Fault* fault) {
+static bool open_copy(const Options* options, const char* method, Sets* sets, World* world,
+                      char** argv, Fault* fault) {
     WorldDef def;
-    Sets sets;
     const char* target = options->target ? options->target : "party";
-    if (!all_sets(options, method, &sets, fault) ||
-        !scene_load(target, sets.set, sets.count, &def, fault))
+    if (!all_sets(options, method, sets, fault) ||
+        !scene_load(target, sets->set, sets->count, &def, fault))
         return false;
 
     const bool is_double = sizeof(real) == sizeof(double);
@@ -191,28 +190,34 @@ static bool open_copy(const Options* options, const char* method, World* world, 
 }
 
 static bool open_world(const Options* options, World* world, char** argv, Fault* fault) {
-    return open_copy(options, NULL, world, argv, fault);
+    Sets sets;
+    return open_copy(options, NULL, &sets, world, argv, fault);
 }
 
 static char** arguments; ///< as main got them, for a hand-over to the other precision
 
-/// The world, and with --compare its ghost; both are closed by the caller.
-static bool open_pair(const Options* options, World* world, Ghost* ghost, Fault* fault) {
-    if (!open_world(options, world, arguments, fault))
+/// The world, and with --compare its ghost; both are closed by the caller. sets: the world's.
+static bool open_pair(const Options* options, Sets* sets, World* world, Ghost* ghost,
+                      Fault* fault) {
+    Sets other;
+    if (!open_copy(options, NULL, sets, world, arguments, fault))
         return false;
-    if (!options->compare || open_copy(options, options->compare, &ghost->world, arguments, fault))
+    if (!options->compare ||
+        open_copy(options, options->compare, &other, &ghost->world, arguments, fault))
         return true;
     world_close(world);
     return false;
 }
 
-static bool show_options(const Options* options, const World* world, Ghost* ghost,
+static bool show_options(const Options* options, const Sets* sets, const World* world, Ghost* ghost,
                          ShowOptions* show, Fault* fault) {
     *show = show_options_default();
     show->out = options->out ? options->out : "out";
     show->input = options->input;
     show->record = options->record;
     show->mode = options->mode;
+    show->set = sets->set;
+    show->set_count = sets->count;
     show->quiet = options->quiet;
     show->time = options->time;
     show->overlay = options->overlay;
@@ -236,9 +241,10 @@ static bool verb_play(const Options* options, Fault* fault) {
     World world;
     ShowOptions show;
     Ghost ghost = {0};
-    if (!open_pair(options, &world, &ghost, fault))
+    Sets sets;
+    if (!open_pair(options, &sets, &world, &ghost, fault))
         return false;
-    bool good = show_options(options, &world, &ghost, &show, fault);
+    bool good = show_options(options, &sets, &world, &ghost, &show, fault);
     show.overlay = true;
     if (!options->seconds) // a window stays open
         show.seconds = 0;
@@ -254,10 +260,11 @@ static bool verb_render(const Options* options, Fault* fault) {
     World world;
     ShowOptions show;
     Ghost ghost = {0};
-    if (!open_pair(options, &world, &ghost, fault))
+    Sets sets;
+    if (!open_pair(options, &sets, &world, &ghost, fault))
         return false;
-    const bool good =
-        show_options(options, &world, &ghost, &show, fault) && show_render(&world, &show, fault);
+    const bool good = show_options(options, &sets, &world, &ghost, &show, fault) &&
+                      show_render(&world, &show, fault);
     if (good && options->hash)
         print_hash(&world);
     world_close(&world);
@@ -268,6 +275,7 @@ static bool verb_render(const Options* options, Fault* fault) {
 static bool verb_run(const Options* options, Fault* fault) {
     World world;
     Ghost ghost = {0};
+    Sets sets;
     RunOptions run_options = {.csv = options->csv,
                               .obj = options->obj,
                               .input = options->input,
@@ -275,7 +283,7 @@ static bool verb_run(const Options* options, Fault* fault) {
                               .time = options->time,
                               .ghost = options->compare ? &ghost : NULL,
                               .quiet = options->quiet};
-    if (!open_pair(options, &world, &ghost, fault))
+    if (!open_pair(options, &sets, &world, &ghost, fault))
         return false;
     const double given = world.def.seconds > 0 ? world.def.seconds : 10;
     const bool good = number(options->seconds, "--seconds", given, &run_options.seconds, fault) &&
@@ -350,9 +358,8 @@ static bool verb_bench(const Options* options, Fault* fault) {
     const BenchCase* one = options->target ? bench_find(options->target) : NULL;
     if (options->target && !one)
         return fault_set(fault, options->target, "no such bench; see balloon list");
-    const BenchOptions bench = {.quick = options->quick,
-                                .keep = options->keep,
-                                .out = options->out ? options->out : "out"};
+    const BenchOptions bench = {
+        .quick = options->quick, .keep = options->keep, .out = options->out ? options->out : "out"};
     for (int k = 0; k < bench_count; k++)
         if ((!one || one == bench_table[k]) && !bench_table[k]->run(&bench, fault))
             return false;

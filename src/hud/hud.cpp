@@ -138,6 +138,12 @@ void hud_draw(const Panel* panel, int width, int height) {
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
+bool hud_cell(const Panel* panel, int width, int height, const float point[2], int cell[2]) {
+    const ImVec2 size(static_cast<float>(width), static_cast<float>(height));
+    return panel->page && !panel->help_shown &&
+           page_cell(*panel->page, size, ImVec2(point[0] * size.x, point[1] * size.y), cell);
+}
+
 void hud_close(void) {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();

@@ -17,6 +17,10 @@ bool hud_open(float scale, Fault* fault);
 /// Draw the panel over a framebuffer of this size.
 void hud_draw(const Panel* panel, int width, int height);
 
+/// The cell {row, column} of the lab's map under a point, 0…1 from the upper left; false: there is
+/// none.
+bool hud_cell(const Panel* panel, int width, int height, const float point[2], int cell[2]);
+
 void hud_close(void);
 
 #ifdef __cplusplus

@@ -4,7 +4,8 @@
 
 #include "hud/parts.hpp"
 
-// A column along the right rim: title, plots with one axis of time.
+// A column along the right rim: title, plots with one axis of time, the curve where there is one,
+// the map.
 namespace hud {
 namespace {
 
@@ -14,9 +15,16 @@ constexpr float PART = 0.4f; // of the picture
 constexpr float NAMES = 70;  // of the plots' labels
 constexpr float GRAPH = 46;  // height of a plot, where there is room
 constexpr float LEAST = 14;  // and where there is none
+constexpr float HEAD = 1.4f; // of the title, in lines
+constexpr float FOOT = 1.2f; // below plots
 constexpr float STROKE = 1.5f;
 constexpr float TALL = 2.5f; // the curve, in plots
 constexpr float DOT = 4;     // radius
+
+// As `balloon stability` draws them.
+constexpr ImU32 CELL[PAGE_CELLS] = {0, IM_COL32(158, 202, 225, 255), IM_COL32(254, 196, 79, 255),
+                                    IM_COL32(203, 24, 29, 255)};
+constexpr ImU32 EDGE = IM_COL32(10, 12, 16, 255);
 
 // What moves by less than this much of its size is drawn level. [1]
 constexpr float LEVEL = 1e-3f;
@@ -82,7 +90,9 @@ void draw_words(const Page& page, const PagePlot& plot, float left, float right,
                   static_cast<double>(range.high));
     text(left, y, LABEL, plot.label);
     text(x, y, VALUE, plot.value);
-    if (x + width_of(plot.value) + GAP * scale + width_of(ends) <= right)
+    const bool level = range.high - range.low <=
+                       LEVEL * std::max(std::fabs(range.low), std::fabs(range.high)) * 1.01f;
+    if (!level && x + width_of(plot.value) + GAP * scale + width_of(ends) <= right)
         text_right(right, y, LABEL, ends);
 }
 
@@ -122,44 +132,136 @@ void draw_curve(const PageCurve& curve, ImVec2 low, ImVec2 size) {
         DOT * scale, VALUE);
 }
 
+// A lattice of cells; theory is a line and the bound a dashed one through the rows' middles.
+void draw_map(const PageMap& map, ImVec2 low, ImVec2 size) {
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    const ImVec2 cell(size.x / PAGE_COLUMNS, size.y / PAGE_ROWS);
+    const auto corner = [&](int row, int column) {
+        return ImVec2(low.x + cell.x * static_cast<float>(column),
+                      low.y + cell.y * static_cast<float>(PAGE_ROWS - 1 - row));
+    };
+    plate(low, size);
+    for (int r = 0; r < PAGE_ROWS; r++)
+        for (int c = 0; c < PAGE_COLUMNS; c++) {
+            const ImVec2 at = corner(r, c);
+            if (map.cell[r][c] != PAGE_UNKNOWN)
+                list->AddRectFilled(at, ImVec2(at.x + cell.x - scale, at.y + cell.y - scale),
+                                    CELL[map.cell[r][c]]);
+        }
+
+    list->PushClipRect(low, ImVec2(low.x + size.x, low.y + size.y), true);
+    const auto middle = [&](int row, float column) {
+        return ImVec2(low.x + cell.x * (column + 0.5f), corner(row, 0).y + cell.y / 2);
+    };
+    for (int r = 1; r < PAGE_ROWS; r++) {
+        if (std::isfinite(map.theory[r - 1] + map.theory[r]))
+            line(middle(r - 1, map.theory[r - 1]), middle(r, map.theory[r]), EDGE);
+        const ImVec2 a = middle(r - 1, map.bound[r - 1]), b = middle(r, map.bound[r]);
+        if (std::isfinite(a.x + b.x))
+            line(a, ImVec2((a.x + b.x) / 2, (a.y + b.y) / 2), EDGE);
+    }
+    list->PopClipRect();
+
+    const ImVec2 own = middle(map.own[0], static_cast<float>(map.own[1]));
+    list->AddCircleFilled(own, DOT * scale / 2, EDGE);
+    const ImVec2 at = corner(map.chosen[0], map.chosen[1]);
+    list->AddRect(ImVec2(at.x - scale, at.y - scale), ImVec2(at.x + cell.x, at.y + cell.y),
+                  map.watched ? TITLE : VALUE, 0, 0, 2 * scale);
+}
+
+// Where everything goes; all in pixels of the picture.
+struct Layout {
+    float left, right, wide; // of texts and plots
+    float graph;             // height of a plot
+    float curve, map;        // from where on
+    float end;
+};
+
+// Texts have their heights, what is drawn shares the rest.
+Layout layout_of(const Page& page, ImVec2 size) {
+    Layout layout;
+    layout.wide = std::min(WIDE * scale, PART * size.x);
+    layout.right = size.x - (MARGIN + PADDING) * scale;
+    layout.left = layout.right - layout.wide;
+    const float plots = static_cast<float>(page.plot_count);
+    const float curve = page.has_curve ? 1.0f : 0.0f;
+    const float lines = HEAD + plots + FOOT + curve * (1 + FOOT) + 3;
+    const float parts = plots + TALL * (curve + 1);
+    const float rest = size.y - (2 * MARGIN + 2 * PADDING + lines * LINE) * scale;
+    layout.graph = std::clamp(rest / parts, LEAST * scale, GRAPH * scale);
+    layout.curve =
+        (MARGIN + PADDING) * scale + (HEAD + plots + FOOT) * LINE * scale + plots * layout.graph;
+    layout.map = layout.curve + curve * ((1 + FOOT) * LINE * scale + TALL * layout.graph);
+    layout.end = layout.map + 3 * LINE * scale + TALL * layout.graph + PADDING * scale;
+    return layout;
+}
+
+ImVec2 map_low(const Layout& layout) {
+    return ImVec2(layout.left, layout.map + LINE * scale);
+}
+
+ImVec2 map_size(const Layout& layout) {
+    return ImVec2(layout.wide, TALL * layout.graph - 4 * scale);
+}
+
+void draw_curve_part(const PageCurve& curve, const Layout& layout) {
+    char end[32];
+    const float tall = TALL * layout.graph;
+    float y = layout.curve;
+    text(layout.left, y, TITLE, "Pressure over stretch");
+    text_right(layout.right, y, TRUTH, curve.law);
+    y += LINE * scale;
+    draw_curve(curve, ImVec2(layout.left, y), ImVec2(layout.wide, tall - 4 * scale));
+    y += tall;
+    std::snprintf(end, sizeof end, "%.3g", static_cast<double>(curve.stretch));
+    text_right(layout.right, y, LABEL, end);
+    text(layout.left, y, VALUE, curve.value);
+}
+
+void draw_map_part(const PageMap& map, const Layout& layout) {
+    float y = layout.map;
+    text(layout.left, y, TITLE, "Stable steps");
+    text_right(layout.right, y, LABEL, map.method);
+    draw_map(map, map_low(layout), map_size(layout));
+    y += LINE * scale + TALL * layout.graph;
+    text(layout.left, y, LABEL, map.ends);
+    y += LINE * scale;
+    text(layout.left, y, VALUE, map.why[0] ? map.why : map.value);
+}
+
 } // namespace
 
 void draw_page(const Page& page, ImVec2 size) {
-    const float wide = std::min(WIDE * scale, PART * size.x);
-    const float right = size.x - (MARGIN + PADDING) * scale, left = right - wide;
-    const float plots = static_cast<float>(page.plot_count);
-
-    // texts have their heights, the plots share what is left
-    const float lines = 1.4f + plots + 1.2f + (page.has_curve ? 2 : 0);
-    const float parts = plots + (page.has_curve ? TALL : 0);
-    const float words = lines * LINE * scale + 2 * PADDING * scale;
-    const float rest = size.y - 2 * MARGIN * scale - words;
-    const float graph = std::clamp(rest / std::max(parts, 1.0f), LEAST * scale, GRAPH * scale);
+    const Layout layout = layout_of(page, size);
+    const float left = layout.left, right = layout.right;
     box(ImVec2(left - PADDING * scale, MARGIN * scale),
-        ImVec2(wide + 2 * PADDING * scale, words + parts * graph), GLASS);
+        ImVec2(layout.wide + 2 * PADDING * scale, layout.end - MARGIN * scale), GLASS);
 
     float y = (MARGIN + PADDING) * scale;
     text(left, y, TITLE, page.title);
-    y += 1.4f * LINE * scale;
+    y += HEAD * LINE * scale;
     for (int k = 0; k < page.plot_count; k++) {
         draw_words(page, page.plot[k], left, right, y);
         y += LINE * scale;
-        draw_plot(page, page.plot[k], ImVec2(left, y), ImVec2(wide, graph - 4 * scale));
-        y += graph;
+        draw_plot(page, page.plot[k], ImVec2(left, y),
+                  ImVec2(layout.wide, layout.graph - 4 * scale));
+        y += layout.graph;
     }
     draw_times(page, left, right, y);
-    y += 1.2f * LINE * scale;
-    if (page.has_curve) {
-        char end[32];
-        text(left, y, TITLE, "Pressure over stretch");
-        text_right(right, y, TRUTH, page.curve.law);
-        y += LINE * scale;
-        draw_curve(page.curve, ImVec2(left, y), ImVec2(wide, TALL * graph - 4 * scale));
-        y += TALL * graph;
-        std::snprintf(end, sizeof end, "%.3g", static_cast<double>(page.curve.stretch));
-        text_right(right, y, LABEL, end);
-        text(left, y, VALUE, page.curve.value);
-    }
+    if (page.has_curve)
+        draw_curve_part(page.curve, layout);
+    draw_map_part(page.map, layout);
+}
+
+bool page_cell(const Page& page, ImVec2 size, ImVec2 point, int cell[2]) {
+    const Layout layout = layout_of(page, size);
+    const ImVec2 low = map_low(layout), whole = map_size(layout);
+    const float across = (point.x - low.x) / whole.x, down = (point.y - low.y) / whole.y;
+    if (!(across >= 0 && across < 1 && down >= 0 && down < 1))
+        return false;
+    cell[0] = PAGE_ROWS - 1 - static_cast<int>(down * PAGE_ROWS);
+    cell[1] = static_cast<int>(across * PAGE_COLUMNS);
+    return true;
 }
 
 } // namespace hud

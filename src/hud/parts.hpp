@@ -34,6 +34,9 @@ void text(float x, float y, ImU32 color, const char* words);
 /// The lab's page along the right rim of a picture of this size.
 void draw_page(const Page& page, ImVec2 size);
 
+/// The cell of its map under a point [px].
+bool page_cell(const Page& page, ImVec2 size, ImVec2 point, int cell[2]);
+
 } // namespace hud
 
 #endif

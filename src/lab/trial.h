@@ -13,6 +13,7 @@
 #ifndef BALLOON_LAB_TRIAL_H
 #define BALLOON_LAB_TRIAL_H
 
+#include "force/tangent.h"
 #include "world/world.h"
 
 typedef enum Verdict {
@@ -25,18 +26,49 @@ extern const char* const verdict_name[VERDICTS];
 
 extern const double trial_precision; ///< of trial_limit [1]
 
+/// A straight line through points (n, ln e) that come one by one.
+typedef struct TrialFit {
+    double count, n, n2, y, y2, ny;
+} TrialFit;
+
 typedef struct Trial {
     World world;
     real4* rest;      ///< [count] positions without net force
     double potential; ///< at rest [J]
     double w2;        ///< largest eigenvalue of M^-1 K at rest [1/s^2]
     double gamma;     ///< c/m [1/s]
+
+    // on the way to rest, and to the fastest frequency
+    World calm;
+    Tangent tangent;
+    real4* mode;  ///< [count]
+    real4* image; ///< [count] M^-1 K mode
+    bool rested;
+    int done; ///< steps to rest, then rounds of power iteration
+
+    // of the present run
+    double h;     ///< its step [s]
+    double first; ///< energy given [J]
+    double most;  ///< [first energy] more is an explosion
+    int steps;    ///< in all
+    int made;     ///< of them
+    TrialFit later;
 } Trial;
 
 /// Load the scene with overrides, bring it to rest and find its fastest frequency. A method that
 /// refuses the scene leaves `refused`, and the trial closed.
 bool trial_open(Trial* trial, const char* scene, const SceneSet* set, int set_count,
                 const Method* method, bool* refused, Fault* fault);
+
+/// The same in parts, for who has other things to do: first only the worlds are opened, which the
+/// trial then owns, both of the same balloon: `calm` with newton, which brings it to rest, and
+/// `def` with the method; then parts, until `ready`. False with a sentence where there is no rest.
+bool trial_begin(Trial* trial, WorldDef* calm, WorldDef* def, Fault* fault);
+bool trial_prepare(Trial* trial, bool* ready, Fault* fault);
+
+/// A run of a step h, and at most so many steps of it: true when the verdict is certain.
+void trial_start(Trial* trial, double h);
+bool trial_follow(Trial* trial, int steps, Verdict* verdict, double* growth);
 
 /// The verdict on a step h. growth: d ln e/dt over the later half of the run, by least squares, or
 /// over all of it where the verdict was certain before the end [1/s].

@@ -63,27 +63,33 @@ static int scene_index(char* const* path, int count, const char* file) {
 }
 
 /// A ghost for the scene that comes; one that its method refuses has none, and that is said.
-static void haunt(App* app, const char* path) {
+static void haunt(App* app, const char* path, const SceneSet* set, int set_count) {
     Ghost* ghost = app->options->ghost;
     if (!ghost)
         return;
     world_close(&ghost->world);
     char method[80];
+    SceneSet all[MAP_SETS + 1];
+    ASSERT(set_count <= MAP_SETS, "a scene's overrides and a cell's");
+    for (int k = 0; k < set_count; k++)
+        all[k] = set[k];
+    all[set_count].text = method;
     snprintf(method, sizeof method, "method=%s", app->options->compare);
     WorldDef def;
     Fault fault = {0};
     *ghost = (Ghost){0};
-    const bool good = scene_load(path, &(SceneSet){method}, 1, &def, &fault) &&
+    const bool good = scene_load(path, all, set_count + 1, &def, &fault) &&
                       world_open(&ghost->world, &def, &fault);
     if (!good)
         app_say(app, "%s: %s", fault.place, fault.text);
     session_compare(&app->session, good ? ghost : NULL);
 }
 
-static bool open_scene(App* app, const char* path, Fault* fault) {
+bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_count, const char* how,
+                    Fault* fault) {
     WorldDef def;
     World next;
-    if (!scene_load(path, NULL, 0, &def, fault))
+    if (!scene_load(path, set, set_count, &def, fault))
         return false;
     const Mode* mode = mode_of(&def, fault);
     if (!mode) {
@@ -95,9 +101,9 @@ static bool open_scene(App* app, const char* path, Fault* fault) {
 
     // the picture points into the worlds that go
     picture_close(&app->picture);
-    haunt(app, path);
+    haunt(app, path, set, set_count);
     app->mode = mode;
-    const bool logged = session_change(&app->session, &next, fault);
+    const bool logged = session_change(&app->session, &next, how, fault);
     app_look(app);
     return logged;
 }
@@ -108,8 +114,15 @@ void app_go(App* app, int direction) {
     const int here = scene_index(path, count, app->world->def.file);
     const int from = here < 0 && direction < 0 ? count : here;
     Fault fault = {0};
-    if (count > 0 && !open_scene(app, path[(from + direction + count) % count], &fault))
+    if (count > 0 &&
+        !app_open_scene(app, path[(from + direction + count) % count], NULL, 0, NULL, &fault)) {
         app_say(app, "%s: %s", fault.place, fault.text);
+    } else {
+        app->set_count = 0;
+        app->watching = false;
+        if (app->lab)
+            app_lab(app, true);
+    }
 
     for (int k = 0; k < count; k++)
         free(path[k]);
@@ -121,7 +134,8 @@ void app_go(App* app, int direction) {
 /// What a step costs is of interest to a user, or to who asks for times.
 void app_lab(App* app, bool shown) {
     lab_page_close(app->lab);
-    app->lab = shown ? lab_page_open(app->output.full_screen || app->options->time) : NULL;
+    const bool timed = app->output.full_screen || app->options->time;
+    app->lab = shown ? lab_page_open(app->world, app->set, app->set_count, timed) : NULL;
 }
 
 // ---- screenshots ----
@@ -181,6 +195,8 @@ static bool open_renderer(App* app, Fault* fault) {
 bool app_begin(App* app, World* world, Fault* fault) {
     const ShowOptions* options = app->options;
     app->world = world;
+    app->set = options->set;
+    app->set_count = options->set_count;
     app->mode = first_mode(app, fault);
     if (!app->mode || !session_open(&app->session, world, options->input, options->record, fault))
         return false;

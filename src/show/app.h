@@ -26,6 +26,9 @@ typedef struct App {
     float pointer[2]; ///< where the mouse was at the key, 0…1 from the upper left
     Picture picture;
     Panel panel;
+    const SceneSet* set; ///< [set_count] overrides of the scene, as the command line gave them
+    int set_count;       ///< 0 where another scene is on
+    bool watching;       ///< the scene is that of a cell of the lab's map
     LabPage* lab;        ///< NULL: not shown, and nothing is measured for it
     char message[512];   ///< a sentence for the user
     double message_left; ///< how long it stays [s]
@@ -61,6 +64,16 @@ void app_look(App* app);
 /// Go on to the scene `direction` places further in the list of shipped scenes. One that does not
 /// load says why, and the present one stays.
 void app_go(App* app, int direction);
+
+/// Open a scene in the place of the present one, which stays where that fails. how: what is said of
+/// its overrides in the log, or NULL.
+bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_count, const char* how,
+                    Fault* fault);
+
+/// Start the scene again as the chosen cell of the lab's map has it, guard off; and bring it back
+/// as it was. Each begins a log of its own, which says what it takes to replay it (show/watch.c).
+void app_watch(App* app);
+void app_watch_no_more(App* app);
 
 /// Show the lab's page, or take it away.
 void app_lab(App* app, bool shown);

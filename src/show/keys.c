@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "hud/hud.h"
 #include "show/app.h"
 #include "view/framing.h"
 #include "world/command.h"
@@ -80,6 +81,37 @@ static void lab(App* app) {
     app_lab(app, !app->lab);
 }
 
+static void choose(App* app, int up, int right) {
+    if (!app->lab)
+        return;
+    const int* chosen = app->lab->page.map.chosen;
+    lab_page_choose(app->lab, chosen[0] + up, chosen[1] + right);
+}
+
+static void stiffer(App* app) {
+    choose(app, 1, 0);
+}
+
+static void softer(App* app) {
+    choose(app, -1, 0);
+}
+
+static void shorter(App* app) {
+    choose(app, 0, -1);
+}
+
+static void longer(App* app) {
+    choose(app, 0, 1);
+}
+
+static void choose_there(App* app) {
+    int cell[2];
+    if (!app->lab || !hud_cell(&app->panel, app->width, app->height, app->pointer, cell))
+        return;
+    lab_page_choose(app->lab, cell[0], cell[1]);
+    app_watch(app);
+}
+
 static void full_screen(App* app) {
     if (app->output.full_screen)
         app->output.full_screen(app->output.self);
@@ -109,7 +141,14 @@ const ViewKey view_key_table[] = {
     {"z",          "size of the next ball: radius 0.05 to 0.8", next_radius},
     {"s",          "speed of the next ball: 1 to 200",         next_speed},
     {"o",          "show or hide the overlay",                 overlay},
-    {"l",          "show or hide the lab: plots, a curve",     lab},
+    {"g",          "show or hide the lab: plots, curve, map",  lab},
+    {"i",          "on the map: choose a stiffer skin",        stiffer},
+    {"k",          "a softer one",                             softer},
+    {"j",          "a shorter step",                           shorter},
+    {"l",          "a longer one",                             longer},
+    {"enter",      "watch the scene with these, unguarded",    app_watch},
+    {"click",      "choose on the map, and watch that",        choose_there},
+    {"backspace",  "bring the scene back as it was",           app_watch_no_more},
     {"h",          "show or hide these keys",                  help},
     {"f11",        "full screen or window",                    full_screen},
     {"p",          "write a screenshot",                       screenshot},

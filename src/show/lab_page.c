@@ -7,10 +7,15 @@
 #include "base/memory.h"
 #include "show/stages.h"
 
-LabPage* lab_page_open(bool timed) {
+_Static_assert((int)MAP_ROWS == (int)PAGE_ROWS && (int)MAP_COLUMNS == (int)PAGE_COLUMNS,
+               "a page holds a map");
+
+LabPage* lab_page_open(const World* world, const SceneSet* set, int set_count, bool timed) {
     LabPage* lab = new_array(LabPage, 1);
     lab->timed = timed;
     lab_page_begin(lab);
+    map_begin(&lab->map, world, set, set_count);
+    lab_page_choose(lab, MAP_OWN_ROW, MAP_OWN_COLUMN);
     return lab;
 }
 
@@ -71,7 +76,45 @@ static void curve_take(const History* history, const Round* round, PageCurve* cu
              truth_pressure(&round->truth, l));
 }
 
-const Page* lab_page_take(LabPage* lab, const World* world) {
+void lab_page_work(LabPage* lab, double parts, double ms) {
+    const double end = stages_now() + ms;
+    for (double part = 0; part < parts && map_work(&lab->map) && stages_now() < end; part++)
+        ;
+}
+
+void lab_page_choose(LabPage* lab, int row, int column) {
+    int* chosen = lab->page.map.chosen;
+    if (row >= 0 && row < MAP_ROWS)
+        chosen[0] = row;
+    if (column >= 0 && column < MAP_COLUMNS)
+        chosen[1] = column;
+}
+
+static PageCell cell_of(int verdict) {
+    return verdict == MAP_UNKNOWN ? PAGE_UNKNOWN : (PageCell)(verdict + PAGE_STABLE);
+}
+
+static void map_take(const Map* map, PageMap* page) {
+    for (int r = 0; r < MAP_ROWS; r++) {
+        page->theory[r] = (float)map_place(map, map->theory[r]);
+        page->bound[r] = (float)map_place(map, map->bound[r]);
+        for (int c = 0; c < MAP_COLUMNS; c++)
+            page->cell[r][c] = cell_of(map->cell[r][c]);
+    }
+    page->own[0] = MAP_OWN_ROW;
+    page->own[1] = MAP_OWN_COLUMN;
+    page->method = map->def.method ? map->def.method : method_table[0]->name;
+    snprintf(page->why, sizeof page->why, "%.42s", map->why);
+    snprintf(page->ends, sizeof page->ends, "%.3g to %.3g ms, stiffness x 1/16 to 16",
+             1e3 * map_step(map, 0), 1e3 * map_step(map, MAP_COLUMNS - 1));
+
+    const int verdict = map->cell[page->chosen[0]][page->chosen[1]];
+    snprintf(page->value, sizeof page->value, "%.3g ms, x %g: %s",
+             1e3 * map_step(map, page->chosen[1]), map_stiffness(page->chosen[0]),
+             verdict == MAP_UNKNOWN ? "not measured yet" : verdict_name[verdict]);
+}
+
+const Page* lab_page_take(LabPage* lab, const World* world, bool watched) {
     Page* page = &lab->page;
     const int balloon = history_balloon(world);
     snprintf(page->title, sizeof page->title, "Balloon %d", balloon);
@@ -83,9 +126,13 @@ const Page* lab_page_take(LabPage* lab, const World* world) {
     lab->looked = balloon;
     if (page->has_curve)
         curve_take(&lab->history, &lab->round, &page->curve);
+    map_take(&lab->map, &page->map);
+    page->map.watched = watched;
     return page;
 }
 
 void lab_page_close(LabPage* lab) {
+    if (lab)
+        map_end(&lab->map);
     free(lab);
 }

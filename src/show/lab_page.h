@@ -3,6 +3,7 @@
 #ifndef BALLOON_SHOW_LAB_PAGE_H
 #define BALLOON_SHOW_LAB_PAGE_H
 
+#include "lab/map.h"
 #include "lab/round.h"
 #include "view/history.h"
 
@@ -15,12 +16,14 @@ typedef struct LabPage {
     bool timed;   ///< what a step costs is plotted
     int looked;   ///< balloon that was looked at for a closed form; NONE: none was
     Round round;  ///< its form, where the page has a curve
+    Map map;      ///< of the scene as it was loaded, whatever cell of it is watched
 } LabPage;
 
-/// timed: what a step costs is shown too, and then no two pictures are the same.
-LabPage* lab_page_open(bool timed);
+/// timed: what a step costs is shown too, and then no two pictures are the same. set: overrides
+/// with which the world's scene is loaded, [set_count].
+LabPage* lab_page_open(const World* world, const SceneSet* set, int set_count, bool timed);
 
-/// Another world is on, or the same from its start.
+/// Another world is on: the plots begin again.
 void lab_page_begin(LabPage* lab);
 
 /// Steps begin now, which nothing but they will take time from.
@@ -29,8 +32,14 @@ void lab_page_start(LabPage* lab, const World* world);
 /// After each step. every: steps between two points of a plot.
 void lab_page_step(LabPage* lab, const World* world, long every);
 
-/// What is to be drawn.
-const Page* lab_page_take(LabPage* lab, const World* world);
+/// Go on with the map for so many parts, and for so long. [ms]
+void lab_page_work(LabPage* lab, double parts, double ms);
+
+/// Move the choice on the map; it stays within.
+void lab_page_choose(LabPage* lab, int row, int column);
+
+/// What is to be drawn. watched: the world is that of the chosen cell.
+const Page* lab_page_take(LabPage* lab, const World* world, bool watched);
 
 void lab_page_close(LabPage* lab);
 

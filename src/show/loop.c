@@ -8,6 +8,11 @@
 #include "show/keys.h"
 #include "view/status.h"
 
+// The lab's map may take this much of a frame. [ms]
+static const double MAP_MS = 8;
+// And headless this many parts for each frame that is shown or left out.
+static const double MAP_PARTS = 400;
+
 // A drag and a turn of the wheel, as the camera takes them, are the user's hand on the scene.
 static void move_camera(Camera* camera, const Input* input) {
     camera_orbit(camera, input->orbit[0], input->orbit[1]);
@@ -81,7 +86,7 @@ static bool fit(App* app, const Input* input, Fault* fault) {
     return app->scale > 0;
 }
 
-static void draw(App* app, double frame_ms) {
+static void draw(App* app, double elapsed, double frame_ms) {
     picture_take(&app->picture, app->world, &app->camera, app->mode);
     stages_end(&app->stages, STAGE_PICTURE);
     renderer_draw(app->renderer, &app->picture);
@@ -100,7 +105,14 @@ static void draw(App* app, double frame_ms) {
         .message = app->panel.shown && app->message_left > 0 ? app->message : "",
     };
     status_take(&app->panel, app->world, &app->picture, &status);
-    app->panel.page = app->lab ? lab_page_take(app->lab, app->world) : NULL;
+    app->panel.page = NULL;
+    if (app->lab) {
+        // a user has other frames to see, and a film must not depend on the time
+        const bool user = app->output.full_screen;
+        lab_page_work(app->lab, user ? INFINITY : MAP_PARTS * elapsed * app->options->fps,
+                      user ? MAP_MS : INFINITY);
+        app->panel.page = lab_page_take(app->lab, app->world, app->watching);
+    }
     renderer_bind_resolved(app->renderer);
     hud_draw(&app->panel, app->width, app->height);
     stages_end(&app->stages, STAGE_OVERLAY);
@@ -116,7 +128,7 @@ bool app_run(App* app, Fault* fault) {
             return false;
         stages_end(&app->stages, STAGE_STEPS);
 
-        draw(app, input.frame_ms);
+        draw(app, input.elapsed, input.frame_ms);
         if (!app->output.present(app->output.self, app->renderer, fault))
             return false;
         stages_end(&app->stages, STAGE_PRESENT);

@@ -109,8 +109,9 @@ static bool either(GLFWwindow* handle, int left, int right) {
 }
 
 static void on_button(GLFWwindow* handle, int button, int action, int modifiers) {
-    if (button == GLFW_MOUSE_BUTTON_LEFT && (modifiers & GLFW_MOD_CONTROL))
-        add_key(handle, "ctrl+click", action == GLFW_PRESS);
+    if (button == GLFW_MOUSE_BUTTON_LEFT)
+        add_key(handle, modifiers & GLFW_MOD_CONTROL ? "ctrl+click" : "click",
+                action == GLFW_PRESS);
 }
 
 /// Events come in their order, however late: what the pointer and the buttons are by now is no

@@ -85,10 +85,14 @@ bool session_step(Session* session, Fault* fault) {
     return true;
 }
 
-bool session_change(Session* session, World* next, Fault* fault) {
+bool session_change(Session* session, World* next, const char* how, Fault* fault) {
     session_close(session);
     world_close(session->world);
     *session->world = *next;
     *next = (World){0};
-    return begin_log(session, fault);
+    if (!begin_log(session, fault))
+        return false;
+    if (session->log && how)
+        fprintf(session->log, "# %s\n", how);
+    return true;
 }

@@ -34,8 +34,8 @@ bool session_throw(Session* session, const double thrown[THROW_NUMBERS], Fault* 
 bool session_step(Session* session, Fault* fault);
 
 /// `next` takes the place of the world, which is closed: no more replay, and a new log, record.2,
-/// record.3, …
-bool session_change(Session* session, World* next, Fault* fault);
+/// record.3, … how: a line for it that says how the scene was loaded; NULL: as it is.
+bool session_change(Session* session, World* next, const char* how, Fault* fault);
 
 /// Ends the log with the count of steps and the state's hash.
 void session_close(Session* session);

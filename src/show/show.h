@@ -8,15 +8,17 @@
 #include "show/ghost.h"
 
 typedef struct ShowOptions {
-    int width;          ///< [px]
-    int height;         ///< [px]
-    double fps;         ///< headless frames per simulated second
-    double seconds;     ///< simulated time to show; 0: a window stays until it is closed
-    const char* out;    ///< headless: a folder, a .png, a video (show/output.h)
-    const char* input;  ///< input log to be replayed; NULL: none
-    const char* record; ///< file for this session's input log; NULL: none. When the user goes on
-                        ///< to other scenes, their logs are record.2, record.3, …
-    const char* mode;   ///< display mode; NULL: what the scene says
+    int width;           ///< [px]
+    int height;          ///< [px]
+    double fps;          ///< headless frames per simulated second
+    double seconds;      ///< simulated time to show; 0: a window stays until it is closed
+    const char* out;     ///< headless: a folder, a .png, a video (show/output.h)
+    const char* input;   ///< input log to be replayed; NULL: none
+    const char* record;  ///< file for this session's input log; NULL: none. When the user goes on
+                         ///< to other scenes, their logs are record.2, record.3, …
+    const SceneSet* set; ///< [set_count] overrides with which the world's scene was loaded
+    int set_count;
+    const char* mode;        ///< display mode; NULL: what the scene says
     const char* screenshots; ///< folder for screenshots; NULL: where the user is
     const char* compare;     ///< method of a ghost beside the scene; NULL: none
     Ghost* ghost;            ///< with that method, the caller's; NULL: none

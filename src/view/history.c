@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "world/probe.h"
 
@@ -63,6 +64,28 @@ double history_value(const History* history, int quantity, int k) {
     return history->value[quantity][place(history, k)];
 }
 
+/// What takes so many times the median is not the step, but what came between. [1]
+static const double interrupted = 4;
+
+static int ascending(const void* a, const void* b) {
+    const float x = *(const float*)a, y = *(const float*)b;
+    return (x > y) - (x < y);
+}
+
+/// Spikes would leave nothing to see of the rest.
+static void cut(float* y, int count) {
+    float sorted[PAGE_POINTS];
+    int known = 0;
+    for (int k = 0; k < count; k++)
+        if (isfinite(y[k]))
+            sorted[known++] = y[k];
+    qsort(sorted, (size_t)known, sizeof *sorted, ascending);
+    const float most = (float)interrupted * sorted[known / 2];
+    for (int k = 0; k < count; k++)
+        if (y[k] > most)
+            y[k] = most;
+}
+
 void history_take(const History* history, Page* page) {
     page->count = history->count;
     page->plot_count = 0;
@@ -78,5 +101,7 @@ void history_take(const History* history, Page* page) {
         snprintf(plot->value, sizeof plot->value, "%.4g%s", now, quantity_table[q].unit);
         for (int k = 0; k < history->count; k++)
             plot->y[k] = (float)history_value(history, q, k);
+        if (q == HISTORY_COST)
+            cut(plot->y, history->count);
     }
 }

@@ -35,7 +35,7 @@ void history_add(History* history, const World* world, double ms);
 /// A value of the k-th point from the oldest.
 double history_value(const History* history, int quantity, int k);
 
-/// The plots of what there is; what no point has is left out.
+/// The plots of what there is; what no point has is left out, and costs far above the rest are cut.
 void history_take(const History* history, Page* page);
 
 #endif

@@ -1,12 +1,12 @@
-/// The lab's page of the overlay, as plain arrays: plots over time, and what a
-/// skin should do beside what it does. Whoever has measured fills it,
-/// hud/ draws it the same in the window and headless.
+/// The lab's page of the overlay, as plain arrays: plots over time, what a
+/// skin should do beside what it does, and a map of where steps fail. Whoever has measured fills
+/// it, hud/ draws it the same in the window and headless.
 #ifndef BALLOON_VIEW_PAGE_H
 #define BALLOON_VIEW_PAGE_H
 
 #include <stdbool.h>
 
-enum { PAGE_PLOTS = 4, PAGE_POINTS = 300, PAGE_CURVE = 120 };
+enum { PAGE_PLOTS = 4, PAGE_POINTS = 300, PAGE_CURVE = 120, PAGE_ROWS = 9, PAGE_COLUMNS = 17 };
 
 /// One quantity over the page's times.
 typedef struct PagePlot {
@@ -25,6 +25,28 @@ typedef struct PageCurve {
     float way[PAGE_POINTS][2]; ///< [count] l, p
 } PageCurve;
 
+typedef enum PageCell {
+    PAGE_UNKNOWN,
+    PAGE_STABLE,
+    PAGE_WOBBLING,
+    PAGE_EXPLODED,
+    PAGE_CELLS
+} PageCell;
+
+/// Which steps are stable, over steps (to the right) and stiffnesses (upward).
+typedef struct PageMap {
+    const char* method;
+    PageCell cell[PAGE_ROWS][PAGE_COLUMNS];
+    float theory[PAGE_ROWS]; ///< the limit, in columns: 0 is the middle of the first; NAN: none
+    float bound[PAGE_ROWS];  ///< what the program holds its steps against
+    int own[2];              ///< row and column of the scene as it is
+    int chosen[2];
+    bool watched;   ///< the scene is now that of the chosen cell
+    char ends[64];  ///< of the axes
+    char value[96]; ///< the chosen cell in words
+    char why[48];   ///< why cells are missing; empty: they are not, or will come
+} PageMap;
+
 typedef struct Page {
     char title[64];
     int count;            ///< points of every plot
@@ -33,6 +55,7 @@ typedef struct Page {
     PagePlot plot[PAGE_PLOTS];
     bool has_curve;
     PageCurve curve;
+    PageMap map;
 } Page;
 
 #endif

@@ -373,6 +373,7 @@ static void the_labs_page_draws_its_plots_on_the_right(void** state) {
     Fault fault = {0};
     assert_true(hud_open(1, &fault));
     static Page page = {.title = "Balloon 0", .count = 2, .t = {0, 1}, .plot_count = 1};
+    page.map.method = "euler";
     page.plot[0] = (PagePlot){.label = "volume", .value = "2", .y = {1, 2}};
     const Panel panel = {.page = &page};
     Pixels* both[2] = {&pixels, &others};
@@ -395,6 +396,45 @@ static void the_labs_page_draws_its_plots_on_the_right(void** state) {
     draw(others);
     for (int y = 0; y < HEIGHT; y++)
         assert_memory_equal(pixels[y], others[y], 3 * (WIDTH / 2 - 24));
+    hud_close();
+}
+
+/// What a click finds is what is drawn there.
+static void a_cell_of_the_map_is_found_where_it_is_drawn(void** state) {
+    (void)state;
+    enum { WIDE = 1280, HIGH = 720 };
+    static unsigned char before[HIGH][WIDE][3], after[HIGH][WIDE][3];
+    Fault fault = {0};
+    assert_true(hud_open(1, &fault));
+    renderer_resize(renderer, WIDE, HIGH);
+    static Page page = {.map.method = "euler"};
+    Panel panel = {.page = &page};
+    const int lit[][2] = {{0, 0}, {4, 6}, {PAGE_ROWS - 1, PAGE_COLUMNS - 1}};
+    for (int k = 0; k < 3; k++) {
+        PageCell* cell = &page.map.cell[lit[k][0]][lit[k][1]];
+        for (int on = 0; on < 2; on++) {
+            *cell = on ? PAGE_EXPLODED : PAGE_UNKNOWN;
+            renderer_draw(renderer, &studio.picture);
+            hud_draw(&panel, WIDE, HIGH);
+            renderer_read(renderer, (on ? after : before)[0][0]);
+        }
+        *cell = PAGE_UNKNOWN;
+        int found = 0, drawn = 0, both = 0;
+        for (int y = 0; y < HIGH; y++)
+            for (int x = 0; x < WIDE; x++) {
+                const float at[2] = {((float)x + 0.5f) / WIDE, ((float)y + 0.5f) / HIGH};
+                int got[2] = {-1, -1};
+                const bool in = hud_cell(&panel, WIDE, HIGH, at, got) && got[0] == lit[k][0] &&
+                                got[1] == lit[k][1];
+                const bool red = memcmp(before[y][x], after[y][x], 3) != 0;
+                found += in;
+                drawn += red;
+                both += in && red;
+            }
+        assert_true(drawn > 50 && both == drawn && drawn > found * 7 / 10);
+    }
+    panel.help_shown = true;
+    assert_false(hud_cell(&panel, WIDE, HIGH, (const float[]){0.85f, 0.1f}, (int[2]){0}));
     hud_close();
 }
 
@@ -445,6 +485,7 @@ int main(void) {
         cmocka_unit_test(depth_sort_is_far_to_near_and_stable),
         cmocka_unit_test_setup(the_overlay_says_the_same_twice_and_stays_in_its_corner, set_up),
         cmocka_unit_test_setup(the_labs_page_draws_its_plots_on_the_right, set_up),
+        cmocka_unit_test_setup(a_cell_of_the_map_is_found_where_it_is_drawn, set_up),
         cmocka_unit_test(a_panel_takes_no_more_rows_than_it_has),
     };
     return cmocka_run_group_tests(tests, open_all, close_all);

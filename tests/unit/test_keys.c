@@ -96,7 +96,7 @@ static void another_scene_gets_a_log_of_its_own(void** state) {
     WORLD_OF(&next, "cube");
     assert_true(session_open(&session, &world, NULL, record, &fault));
     step(&session, 3);
-    assert_true(session_change(&session, &next, &fault));
+    assert_true(session_change(&session, &next, NULL, &fault));
     assert_int_equal(world.balloon[0].mesh.point_count, 8);
     key(&session, "inflate", true);
     step(&session, 2);

@@ -23,7 +23,7 @@ static void a_plot_holds_what_the_csv_says(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "tether");
-    LabPage* lab = lab_page_open(false);
+    LabPage* lab = lab_page_open(&world, NULL, 0, false);
     float want[3][10];
     lab_page_start(lab, &world);
     for (int k = 0; k < 10; k++) {
@@ -32,7 +32,7 @@ static void a_plot_holds_what_the_csv_says(void** state) {
         want[1][k] = (float)probe(&world, "balloon0.gauge_pressure");
         want[2][k] = (float)probe(&world, "balloon0.total_energy");
     }
-    const Page* page = lab_page_take(lab, &world);
+    const Page* page = lab_page_take(lab, &world, false);
     assert_int_equal(page->count, 10);
     const char* label[] = {"volume", "pressure", "energy"};
     for (int q = 0; q < 3; q++)
@@ -47,10 +47,10 @@ static void the_oldest_points_make_room(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "cube");
-    LabPage* lab = lab_page_open(false);
+    LabPage* lab = lab_page_open(&world, NULL, 0, false);
     lab_page_start(lab, &world);
     step(lab, &world, EVERY * (PAGE_POINTS + 6));
-    const Page* page = lab_page_take(lab, &world);
+    const Page* page = lab_page_take(lab, &world, false);
     assert_int_equal(page->count, PAGE_POINTS);
     for (int k = 1; k < page->count; k++)
         assert_near(page->t[k] - page->t[k - 1], EVERY * world.step, 1e-6);
@@ -64,17 +64,17 @@ static void a_reset_and_another_balloon_begin_it_again(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "two-joined");
-    LabPage* lab = lab_page_open(false);
+    LabPage* lab = lab_page_open(&world, NULL, 0, false);
     step(lab, &world, 10 * EVERY);
     world_reset(&world);
     step(lab, &world, 1);
-    assert_int_equal(lab_page_take(lab, &world)->count, 1);
+    assert_int_equal(lab_page_take(lab, &world, false)->count, 1);
 
     step(lab, &world, 10 * EVERY);
     press(&world, "select", "down");
     press(&world, "select", "down");
     step(lab, &world, 1);
-    const Page* page = lab_page_take(lab, &world);
+    const Page* page = lab_page_take(lab, &world, false);
     assert_int_equal(page->count, 1);
     assert_string_equal(page->title, "Balloon 1");
     assert_true(plot(page, "volume")->y[0] == (float)probe(&world, "balloon1.volume"));
@@ -87,10 +87,10 @@ static void what_a_balloon_has_not_is_not_plotted(void** state) {
     World world;
     WORLD_OF(&world, "grid:4x4"); // open
     for (int timed = 0; timed < 2; timed++) {
-        LabPage* lab = lab_page_open(timed);
+        LabPage* lab = lab_page_open(&world, NULL, 0, timed);
         lab_page_start(lab, &world);
         step(lab, &world, 2 * EVERY);
-        const Page* page = lab_page_take(lab, &world);
+        const Page* page = lab_page_take(lab, &world, false);
         assert_null(plot(page, "volume"));
         assert_non_null(plot(page, "pressure"));
         assert_true((plot(page, "a step") != NULL) == timed);
@@ -140,9 +140,9 @@ static void other_skins_have_none(void** state) {
         world_of_list(&world, none[k]);
         if (round_find(&world.balloon[0], &round))
             fail_msg("%s has a closed form", none[k][0]);
-        LabPage* lab = lab_page_open(false);
+        LabPage* lab = lab_page_open(&world, NULL, 0, false);
         lab_page_start(lab, &world);
-        assert_false(lab_page_take(lab, &world)->has_curve);
+        assert_false(lab_page_take(lab, &world, false)->has_curve);
         lab_page_close(lab);
         world_close(&world);
     }
@@ -153,13 +153,13 @@ static void the_dot_ends_on_the_curve(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "sphere-curve");
-    LabPage* lab = lab_page_open(false);
+    LabPage* lab = lab_page_open(&world, NULL, 0, false);
     lab_page_start(lab, &world);
     while (world_time(&world) < 0.4) {
         world_step(&world);
         lab_page_step(lab, &world, 1);
     }
-    const Page* page = lab_page_take(lab, &world);
+    const Page* page = lab_page_take(lab, &world, false);
     assert_true(page->has_curve);
     const PageCurve* curve = &page->curve;
     const float* now = curve->way[curve->count - 1];
@@ -173,16 +173,35 @@ static void the_dot_ends_on_the_curve(void** state) {
     world_close(&world);
 }
 
+/// The program was held up in one step of twenty: the others are still seen.
+static void a_cost_far_above_the_rest_is_cut(void** state) {
+    (void)state;
+    World world;
+    static History history;
+    static Page page;
+    WORLD_OF(&world, "cube");
+    history_begin(&history);
+    for (int k = 0; k < 20; k++) {
+        history_add(&history, &world, k == 7 ? 50 : k % 2 + 1);
+        world_step(&world);
+    }
+    history_take(&history, &page);
+    const PagePlot* cost = plot(&page, "a step");
+    for (int k = 0; k < 20; k++)
+        assert_near(cost->y[k], k == 7 ? 8 : k % 2 + 1, 1e-6);
+    world_close(&world);
+}
+
 static void the_page_changes_no_bit_of_the_world(void** state) {
     (void)state;
     World watched, alone;
     WORLD_OF(&watched, "party");
     WORLD_OF(&alone, "party");
-    LabPage* lab = lab_page_open(true);
+    LabPage* lab = lab_page_open(&watched, NULL, 0, true);
     lab_page_start(lab, &watched);
     for (int n = 0; n < 50; n++) {
         step(lab, &watched, 1);
-        lab_page_take(lab, &watched);
+        lab_page_take(lab, &watched, false);
         world_step(&alone);
     }
     assert_true(world_hash(&watched) == world_hash(&alone));
@@ -200,6 +219,7 @@ int main(void) {
         cmocka_unit_test(a_round_skin_has_its_closed_form),
         cmocka_unit_test(other_skins_have_none),
         cmocka_unit_test(the_dot_ends_on_the_curve),
+        cmocka_unit_test(a_cost_far_above_the_rest_is_cut),
         cmocka_unit_test(the_page_changes_no_bit_of_the_world),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

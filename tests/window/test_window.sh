@@ -151,9 +151,9 @@ done
 
 # --- the lab's page
 shot && cp "$file" "$scratch/before.png"
-xdotool key l
+xdotool key g
 ok "the lab's page is shown" until_true moved 5000
-xdotool key l
+xdotool key g
 gone() { shot && [ "$(differing "$scratch/before.png" "$file")" = 0 ]; }
 ok "and goes again, and nothing is left of it" until_true gone
 
@@ -212,6 +212,42 @@ leave
 ok "a session with balls ends well" test $status = 0
 ok "and has nothing to complain about" test ! -s "$scratch/said"
 ok "a run replays the throws to the same bits" replays
+
+# --- a cell of the lab's map is watched, and the scene comes back
+logs() { [ "$(ls "$scratch" | grep -c '^log')" = "$1" ]; }
+how() { sed -nE 's/^# with //p' "$1"; }
+again() { # a run with what the log says it takes ends in the hash that it says
+    local steps step hash
+    read -r steps step hash < <(sed -nE 's/^# ([0-9]+) steps of (.*) s, hash (.*)$/\1 \2 \3/p' "$1")
+    [ "$(eval "\"\$balloon\" run \"\${scene[@]}\" $(how "$1")" --input "$1" --hash --quiet \
+        --seconds "$(awk -v n="$steps" -v h="$step" 'BEGIN { printf "%.17g", n * h }')")" = "$hash" ]
+}
+rm -f "$scratch"/balloon-*.png "$scratch"/log*
+shots=0
+start --record log --hash --lab
+until_true is_open
+xdotool key i j Return
+ok "a cell that is watched has a log of its own" until_true logs 2
+xdotool keydown Up
+ok "the keys act in it" until_true grep -q "key inflate down" "$scratch/log.2"
+xdotool keyup Up key BackSpace
+ok "so has the scene that comes back" until_true logs 3
+ok "the log says what the cell is" test "$(how "$scratch/log.2" | grep -c "guard=\"off\".*step=0.00141.*structural=100")" = 1
+ok "a run with that replays it to the same bits" again "$scratch/log.2"
+ok "the log before is whole" again "$scratch/log"
+exploded() { # a point of the map that is of the colour of cells that exploded
+    shot && convert "$file" txt:- | grep -im1 '#CB181D' >"$scratch/point"
+}
+ok "the map is measured" until_true exploded
+IFS=,: read -r x y _ <"$scratch/point"
+xdotool mousemove $((x + 2)) $((y + 2)) click 1
+ok "a click on the map watches that cell" until_true logs 4
+xdotool key g key o
+ok "which goes bad, and then nothing moves" until_true still
+xdotool key q
+leave
+ok "it is left with exit code 0" test $status = 0
+ok "and says what went bad" grep -q "went bad in step" "$scratch/said"
 
 # --- other scenes, and a window that ends by itself
 next_log() { test -s "$scratch/log.2"; }
