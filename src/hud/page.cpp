@@ -220,7 +220,7 @@ void draw_curve_part(const PageCurve& curve, const Layout& layout) {
 
 void draw_map_part(const PageMap& map, const Layout& layout) {
     float y = layout.map;
-    text(layout.left, y, TITLE, "Stable steps");
+    text(layout.left, y, TITLE, "Stability: step, stiffness");
     text_right(layout.right, y, LABEL, map.method);
     draw_map(map, map_low(layout), map_size(layout));
     y += LINE * scale + TALL * layout.graph;

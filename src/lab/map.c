@@ -32,14 +32,15 @@ void map_begin(Map* map, const World* world, const SceneSet* set, int set_count)
         for (int c = 0; c < MAP_COLUMNS; c++)
             map->cell[r][c] = MAP_UNKNOWN;
     }
-    if (scene_load(world->def.file, set, set_count, &map->def, &fault) &&
-        (!world->method->can_fail || balloon->body.count <= SOLVED_MOST))
-        return;
-    map->turn = MAP_ROWS;
-    snprintf(map->why, sizeof map->why, "%s: no map above %d particles", world->method->name,
-             SOLVED_MOST);
-    if (fault.text[0])
+    if (!scene_load(world->def.file, set, set_count, &map->def, &fault))
         snprintf(map->why, sizeof map->why, "%s", fault.text);
+    else if (balloon->def->inflation && !balloon->mesh.closed)
+        snprintf(map->why, sizeof map->why, "an open skin that is blown has no rest");
+    else if (world->method->can_fail && balloon->body.count > SOLVED_MOST)
+        snprintf(map->why, sizeof map->why, "%s: no map above %d particles", world->method->name,
+                 SOLVED_MOST);
+    if (map->why[0])
+        map->turn = MAP_ROWS;
 }
 
 double map_step(const Map* map, int column) {

@@ -7,6 +7,9 @@
 #include "force/material.h"
 #include "mesh/measure.h"
 
+/// A mesh whose points lie on a sphere fills this much of it, unless it is a cube or as coarse. [1]
+static const double full = 0.85;
+
 /// Points of a sphere are as far from its middle as this. [R0]
 static const double unround = 1e-3;
 
@@ -68,8 +71,12 @@ bool round_find(const Balloon* balloon, Round* round) {
     const double scale = balloon->body.scale;
     if (radius == 0)
         return false;
+    const double sphere = 4 * 3.14159265358979323846 / 3 * radius * radius * radius;
+    const double volume = volume_of(&balloon->mesh);
+    if (volume < full * sphere)
+        return false;
     round->truth = truth_balloon_default();
     round->truth.radius = scale * radius;
-    round->volume = scale * scale * scale * volume_of(&balloon->mesh);
+    round->volume = scale * scale * scale * volume;
     return rubber(balloon, &round->truth) || springs(balloon, &round->truth);
 }

@@ -105,7 +105,7 @@ static void map_take(const Map* map, PageMap* page) {
     page->own[1] = MAP_OWN_COLUMN;
     page->method = map->def.method ? map->def.method : method_table[0]->name;
     snprintf(page->why, sizeof page->why, "%.42s", map->why);
-    snprintf(page->ends, sizeof page->ends, "%.3g to %.3g ms, stiffness x 1/16 to 16",
+    snprintf(page->ends, sizeof page->ends, "%.3g to %.3g ms; x 1/16 to x 16",
              1e3 * map_step(map, 0), 1e3 * map_step(map, MAP_COLUMNS - 1));
 
     const int verdict = map->cell[page->chosen[0]][page->chosen[1]];

@@ -120,6 +120,13 @@ static void where_there_is_no_map_it_says_why(void** state) {
     map_end(&map);
     world_close(&world);
 
+    WORLD_OF(&world, "grid:4x4");
+    map_begin(&map, &world, NULL, 0);
+    assert_int_equal(measure(&map), 0);
+    assert_non_null(strstr(map.why, "an open skin"));
+    map_end(&map);
+    world_close(&world);
+
     WORLD_OF(&world, "teddy");
     map_begin(&map, &world, NULL, 0);
     assert_int_equal(measure(&map), 0);

@@ -126,6 +126,7 @@ static void other_skins_have_none(void** state) {
     const char* const* const none[] = {
         (const char* const[]){"squirrel-turns", NULL},
         (const char* const[]){"torus:24x12", NULL},
+        (const char* const[]){"exact-cube", NULL},
         (const char* const[]){"grid:4x4", NULL},
         (const char* const[]){
             "peak",
