@@ -8,8 +8,8 @@
 #include "show/keys.h"
 #include "view/status.h"
 
-// The lab's map may take this much of a frame. [ms]
-static const double MAP_MS = 8;
+// The lab's map may take this much of a frame, [ms], or this part of it where that is more.
+static const double MAP_MS = 8, MAP_SHARE = 0.25;
 // And headless this many parts for each frame that is shown or left out.
 static const double MAP_PARTS = 400;
 
@@ -110,7 +110,7 @@ static void draw(App* app, double elapsed, double frame_ms) {
         // a user has other frames to see, and a film must not depend on the time
         const bool user = app->output.full_screen;
         lab_page_work(app->lab, user ? INFINITY : MAP_PARTS * elapsed * app->options->fps,
-                      user ? MAP_MS : INFINITY);
+                      user ? fmax(MAP_MS, 1e3 * MAP_SHARE * elapsed) : INFINITY);
         app->panel.page = lab_page_take(app->lab, app->world, app->watching);
     }
     renderer_bind_resolved(app->renderer);
