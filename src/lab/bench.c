@@ -3,7 +3,8 @@
 #include "base/table.h"
 
 const BenchCase* const bench_table[] = {&bench_contacts, &bench_contact_cost, &bench_contact_hour,
-                                        &bench_table1,   &bench_speed,        &bench_advise};
+                                        &bench_table1,   &bench_speed,        &bench_advise,
+                                        &bench_thickness};
 const int bench_count = sizeof bench_table / sizeof *bench_table;
 
 const BenchCase* bench_find(const char* name) {

@@ -25,6 +25,7 @@ extern const BenchCase bench_contact_cost;
 extern const BenchCase bench_contact_hour;
 extern const BenchCase bench_table1;
 extern const BenchCase bench_speed;
+extern const BenchCase bench_thickness;
 
 extern const BenchCase* const bench_table[];
 extern const int bench_count;

@@ -242,6 +242,22 @@ static void uniform_thickness_does_not_change_the_shape(void** state) {
         assert_close(side[0][c], side[1][c], 1e-3);
 }
 
+/// Figure 7 of the thin-shell paper: without the atmosphere, the same gas swells a thinner skin more.
+static void thinner_skin_swells_more(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "thickness");
+    const double first = probe(&world, "balloon0.volume");
+    run_for(&world, 5);
+    const double thick = probe(&world, "balloon0.volume") / first;
+    const double middle = probe(&world, "balloon1.volume") / first;
+    const double thin = probe(&world, "balloon2.volume") / first;
+    assert_less(1.2, thick);
+    assert_less(thick, middle);
+    assert_less(middle, thin);
+    world_close(&world);
+}
+
 /// A thin bottom swells into a pear.
 static void a_thin_part_swells_more(void** state) {
     (void)state;
@@ -368,6 +384,7 @@ int main(void) {
         cmocka_unit_test(newton_falls_freely),
         cmocka_unit_test(order_in_time_is_one),
         cmocka_unit_test(uniform_thickness_does_not_change_the_shape),
+        cmocka_unit_test(thinner_skin_swells_more),
         cmocka_unit_test(a_thin_part_swells_more),
         cmocka_unit_test(the_small_balloon_empties_into_the_big_one),
         cmocka_unit_test(gas_is_let_out_until_ambient),
