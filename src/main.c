@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/crew.h"
 #include "force/force.h"
 #include "lab/advise.h"
 #include "lab/bench.h"
@@ -38,6 +39,7 @@ typedef struct Options {
     const char* obj;
     const char* mode;
     const char* fit;
+    const char* threads;
     const char* compare;
     const char* error;
     const char* budget;
@@ -76,6 +78,7 @@ static const Option option_table[] = {
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages",           FLAG(time)},
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
+    {"--threads",   "N",        "threads that share a step, same bits; 1",         TEXT(threads)},
     {"--keep",      NULL,       "bench: keep these figures, to compare later ones with", FLAG(keep)},
     {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement",  FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is; needs: every scene",                    FLAG(all)},
@@ -577,7 +580,14 @@ int main(int argc, char** argv) {
         fault_print(&fault, stderr);
         return EXIT_USAGE;
     }
-    if (verb->call(&options, &fault))
+    double threads;
+    bool good = number(options.threads, "--threads", 1, &threads, &fault);
+    if (good) {
+        crew_set((int)fmin(threads, CREW_MOST));
+        good = verb->call(&options, &fault);
+        crew_set(1);
+    }
+    if (good)
         return EXIT_SUCCESS;
     fault_print(&fault, stderr);
     return EXIT_FAILURE;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/crew.h"
 #include "base/memory.h"
 #include "mesh/measure.h"
 
@@ -180,8 +181,21 @@ static void drift(real4* restrict x, const real4* restrict v, int count, real h)
         x[i] += h * v[i];
 }
 
+/// What the parts of a drift are given.
+typedef struct Drift {
+    Body* body;
+    real h;
+} Drift;
+
+static void drift_part(void* self, int part) {
+    const Drift* d = self;
+    const int from = part * PART_PARTICLES, left = d->body->count - from;
+    drift(&d->body->x[from], &d->body->v[from], left < PART_PARTICLES ? left : PART_PARTICLES,
+          d->h);
+}
+
 void body_drift(Body* body, double h) {
-    drift(body->x, body->v, body->count, (real)h);
+    crew_run(drift_part, &(Drift){body, (real)h}, parts_of(body->count, PART_PARTICLES));
 }
 
 void body_free(Body* body) {

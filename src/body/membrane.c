@@ -68,6 +68,34 @@ static void make_lanes(Membrane* membrane) {
     }
 }
 
+/// Whether of so many equal parts none but neighbours have a particle in common. Elements are in
+/// the order of their first particle, so it is enough to look two parts ahead.
+static bool are_apart(const Membrane* membrane, int parts) {
+    uint32_t end[2] = {0, 0}; // past the particles of the last two parts
+    for (int part = 0; part < parts; part++) {
+        uint32_t low = UINT32_MAX, high = 0;
+        for (int n = membrane_part(membrane->eights, parts, part);
+             n < membrane_part(membrane->eights, parts, part + 1); n++)
+            for (int k = 0; k < 3 * LANES; k++) {
+                const uint32_t at = membrane->lane_corner[n][k / LANES][k % LANES];
+                low = at < low ? at : low;
+                high = at >= high ? at + 1 : high;
+            }
+        if (low < end[part % 2])
+            return false;
+        end[part % 2] = high > end[part % 2] ? high : end[part % 2];
+    }
+    return true;
+}
+
+static void divide(Membrane* membrane) {
+    enum { EIGHTS_LEAST = 32 };
+    membrane->parts = MEMBRANE_PARTS_MOST;
+    while (membrane->parts > 1 && (membrane->eights < membrane->parts * EIGHTS_LEAST ||
+                                   !are_apart(membrane, membrane->parts)))
+        membrane->parts /= 2;
+}
+
 /// Faces in the order of their first particle, so that elements find their corners in cache.
 static void sort_faces(const Mesh* mesh, int* order) {
     int* key = new_array(int, mesh->face_count);
@@ -108,6 +136,7 @@ void membrane_make(Membrane* membrane, const Mesh* mesh, const real4* x, const d
     }
     free(order);
     make_lanes(membrane);
+    divide(membrane);
 }
 
 void membrane_add_mass(const Membrane* membrane, double* mass) {

@@ -40,6 +40,8 @@ typedef struct Rubber {
     VolumeRule rule;
 } Rubber;
 
+enum { MEMBRANE_PARTS_MOST = 64 };
+
 typedef struct Membrane {
     Rubber rubber;
     double constant[2]; ///< the material's, from E, nu and C2/C1 [Pa]
@@ -54,6 +56,7 @@ typedef struct Membrane {
 
     // the same, eight elements side by side; what is over has no rubber
     int eights; ///< how many eights there are
+    int parts;  ///< equal parts of them, of which none but neighbours share a particle
     uint32_t (
         *lane_corner)[3][LANES]; ///< [eights] particles, in bytes from the start of a real4 array
     real (*lane_rest)[4][LANES]; ///< [eights] r0 … r3
@@ -64,6 +67,11 @@ typedef struct Membrane {
 /// corners.
 void membrane_make(Membrane* membrane, const Mesh* mesh, const real4* x, const double* thickness,
                    const Rubber* rubber);
+
+/// Where a part of the eights begins.
+static inline int membrane_part(int eights, int parts, int part) {
+    return (int)((long)eights * part / parts);
+}
 
 /// Add a third of each element's rubber to its corners. mass: [point_count] [kg]
 void membrane_add_mass(const Membrane* membrane, double* mass);

@@ -145,6 +145,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     *slices = (Slices){.count = (count + LANES - 1) / LANES};
     slices->from = new_array(int, slices->count + 1);
     slices->faces = new_array(int, slices->count);
+    slices->sum = new_array(double[3], parts_of(slices->count, PART_SLICES));
     Maker maker = {.mesh = mesh, .springs = springs, .met = new_array(int, count)};
     for (int i = 0; i < count; i++)
         maker.met[i] = NONE;
@@ -184,6 +185,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
 void slices_free(Slices* slices) {
     free(slices->from);
     free(slices->faces);
+    free(slices->sum);
     free(slices->place);
     free(slices->stiffness);
     free(slices->rest);

@@ -21,6 +21,10 @@
 #include "base/lanes.h"
 #include "body/springs.h"
 
+/// Slices that are worked on together, whoever does it, and whose sums are added up first: parts of
+/// the skin alone, so that sums have one order.
+enum { PART_SLICES = 64, PART_PARTICLES = PART_SLICES * LANES };
+
 typedef struct Slices {
     int count;                ///< slices
     int* from;                ///< [count + 1] first slot of each
@@ -30,15 +34,23 @@ typedef struct Slices {
     real (*rest)[LANES];      ///< [slots] rest length [m]
     int (*spring)[2];         ///< [springs] where a spring's two ends are: slot * LANES + lane
     bool open;                ///< there is a rim
+    double (*sum)[3];         ///< [parts] room for sums over the slices of each part
 } Slices;
 
 /// Slices of `count` particles. mesh or springs may be NULL: then there are no rings, or only them.
 void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* springs);
 
+/// Parts of so many slices or particles.
+static inline int parts_of(int count, int part) {
+    return (count + part - 1) / part;
+}
+
 /// Which stiffness of a spring acts in this step [N/m].
 static inline void slices_stiffen(const Slices* slices, int spring, real stiffness) {
-    slices->stiffness[0][slices->spring[spring][0]] = stiffness;
-    slices->stiffness[0][slices->spring[spring][1]] = stiffness;
+    for (int end = 0; end < 2; end++) {
+        const int at = slices->spring[spring][end];
+        slices->stiffness[at / LANES][at % LANES] = stiffness;
+    }
 }
 
 void slices_free(Slices* slices);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/crew.h"
 #include "force/kernel.h"
 #include "force/sweep.h"
 
@@ -11,11 +12,25 @@ const Force* const force_table[] = {
 };
 const int force_count = sizeof force_table / sizeof *force_table;
 
+/// What the parts of a pass over the particles are given.
+typedef struct Pass {
+    Body* body;
+    const Uniform* uniform;
+    double h;
+} Pass;
+
+static void uniform_part(void* self, int part) {
+    const Pass* pass = self;
+    Body* body = pass->body;
+    const real4* gradient = pass->uniform->pressure != 0 ? body->inflation.gradient : NULL;
+    const int from = part * PART_PARTICLES, end = from + PART_PARTICLES;
+    kernels()->uniform(pass->uniform, from, end < body->count ? end : (body->count + 1) / 2 * 2,
+                       gradient, body->mass, body->inverse_mass, (real)pass->h, body->v, body->f);
+}
+
 /// body->f += what acts on all particles; v' = v + h f / m where h is not 0.
 static void add_uniform(Body* body, const Uniform* uniform, double h) {
-    const real4* gradient = uniform->pressure != 0 ? body->inflation.gradient : NULL;
-    kernels()->uniform(uniform, 0, (body->count + 1) / 2 * 2, gradient, body->mass,
-                       body->inverse_mass, (real)h, body->v, body->f);
+    crew_run(uniform_part, &(Pass){body, uniform, h}, parts_of(body->count, PART_PARTICLES));
 }
 
 static void take(Body* body, SweepSums sums) {
@@ -24,7 +39,6 @@ static void take(Body* body, SweepSums sums) {
 }
 
 void force_push(Body* body, double h) {
-    memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     bool here[sizeof force_table / sizeof *force_table];
     unsigned wanted = 0;
     for (int k = 0; k < force_count; k++) {
@@ -32,6 +46,10 @@ void force_push(Body* body, double h) {
         if (here[k] && force_table[k]->sweep)
             wanted |= force_table[k]->sweep(body);
     }
+    if (wanted)
+        wanted |= SWEEP_CLEAR;
+    else
+        memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     take(body, sweep(body, wanted));
 
     Uniform uniform = {.pressure = 0};

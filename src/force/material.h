@@ -17,16 +17,16 @@
 
 /// The loops over elements that a step makes (membrane_lanes.inc, membrane_kernel.inc).
 typedef struct ElementLoops {
-    /// f += force of every element on its corners. [N]
-    void (*add)(const Membrane* membrane, const real4* x, real4* f);
+    /// f += force of the elements on their corners, of eights from … to - 1. [N]
+    void (*add)(const Membrane* membrane, int from, int to, const real4* x, real4* f);
 
     /// Force.assemble of every element, factor times K; `project` takes out what is not positive
     /// definite.
     void (*assemble)(const Membrane* membrane, const real4* x, real factor, bool project,
                      const int* slot, Block* value);
 
-    /// Upper bound on the elements' squared frequencies [1/s^2].
-    double (*bound)(const Membrane* membrane, const real4* x);
+    /// Upper bound on the squared frequencies of the same elements [1/s^2].
+    double (*bound)(const Membrane* membrane, int from, int to, const real4* x);
 } ElementLoops;
 
 #ifdef __x86_64__

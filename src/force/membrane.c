@@ -1,5 +1,6 @@
 /// The rubber skin: E = sum over elements of h0 A0 W(tr C, det C), body/membrane.h and the table of
 /// materials. On an undeformed skin no element pulls, and net force and torque always vanish.
+#include "base/crew.h"
 #include "force/force.h"
 #include "force/material.h"
 
@@ -7,8 +8,26 @@ static bool present(const Body* body) {
     return body->membrane.count > 0;
 }
 
+/// What the parts are given: every second one, which have no particle in common.
+typedef struct Job {
+    Body* body;
+    int odd;
+} Job;
+
+static void add_part(void* self, int number) {
+    const Job* job = self;
+    Body* body = job->body;
+    const Membrane* membrane = &body->membrane;
+    const int part = 2 * number + job->odd;
+    material_loops(membrane->rubber.material)
+        ->add(membrane, membrane_part(membrane->eights, membrane->parts, part),
+              membrane_part(membrane->eights, membrane->parts, part + 1), body->x, body->f);
+}
+
 static void add(Body* body) {
-    material_loops(body->membrane.rubber.material)->add(&body->membrane, body->x, body->f);
+    const int parts = body->membrane.parts;
+    crew_run(add_part, &(Job){body, 0}, (parts + 1) / 2);
+    crew_run(add_part, &(Job){body, 1}, parts / 2);
 }
 
 static double energy(const Body* body) {
@@ -28,8 +47,28 @@ static double energy(const Body* body) {
     return sum;
 }
 
+/// What each part finds.
+typedef struct Bounds {
+    const Body* body;
+    double part[MEMBRANE_PARTS_MOST];
+} Bounds;
+
+static void bound_part(void* self, int part) {
+    Bounds* bounds = self;
+    const Membrane* membrane = &bounds->body->membrane;
+    bounds->part[part] =
+        material_loops(membrane->rubber.material)
+            ->bound(membrane, membrane_part(membrane->eights, membrane->parts, part),
+                    membrane_part(membrane->eights, membrane->parts, part + 1), bounds->body->x);
+}
+
 static double bound(const Body* body) {
-    return material_loops(body->membrane.rubber.material)->bound(&body->membrane, body->x);
+    Bounds bounds = {.body = body};
+    crew_run(bound_part, &bounds, body->membrane.parts);
+    double most = 0;
+    for (int part = 0; part < body->membrane.parts; part++)
+        most = fmax(most, bounds.part[part]);
+    return most;
 }
 
 static Stencils stencils(const Body* body) {

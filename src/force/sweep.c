@@ -1,37 +1,67 @@
 #include "force/sweep.h"
 
+#include <string.h>
+
+#include "base/crew.h"
 #include "force/kernel.h"
 
-/// Slices whose sums are added up first: a part of the work that depends on nothing but the skin,
-/// so that the sums have one order.
-enum { PART = 64 };
+/// What the parts of a sweep are given.
+typedef struct Job {
+    const Body* body;
+    unsigned wanted;
+} Job;
 
-static int part_end(const Slices* slices, int from) {
-    return from + PART < slices->count ? from + PART : slices->count;
+static int part_end(const Slices* slices, int part) {
+    const int end = (part + 1) * PART_SLICES;
+    return end < slices->count ? end : slices->count;
+}
+
+static void sweep_part(void* self, int part) {
+    const Job* job = self;
+    const Body* body = job->body;
+    const Slices* slices = &body->slices;
+    if (job->wanted & SWEEP_CLEAR)
+        memset(&body->f[part * PART_PARTICLES], 0,
+               (size_t)(part_end(slices, part) * LANES - part * PART_PARTICLES) * sizeof(real4));
+    const SweepSums sums =
+        kernels()->sweep(slices, part * PART_SLICES, part_end(slices, part), body->x, job->wanted,
+                         body->springs.law, body->f, body->inflation.gradient);
+    slices->sum[part][0] = sums.area;
+    slices->sum[part][1] = sums.volume;
 }
 
 SweepSums sweep(const Body* body, unsigned wanted) {
     const Slices* slices = &body->slices;
+    const int parts = wanted ? parts_of(slices->count, PART_SLICES) : 0;
+    crew_run(sweep_part, &(Job){body, wanted}, parts);
     SweepSums sums = {0};
-    for (int from = 0; wanted && from < slices->count; from += PART) {
-        const SweepSums part =
-            kernels()->sweep(slices, from, part_end(slices, from), body->x, wanted,
-                             body->springs.law, body->f, body->inflation.gradient);
-        sums.area += part.area;
-        sums.volume += part.volume;
+    for (int part = 0; part < parts; part++) {
+        sums.area += slices->sum[part][0];
+        sums.volume += slices->sum[part][1];
     }
     return sums;
 }
 
+static void steep_part(void* self, int part) {
+    const Body* body = ((const Job*)self)->body;
+    const Slices* slices = &body->slices;
+    const SweepSteep steep =
+        kernels()->steep(slices, part * PART_SLICES, part_end(slices, part), body->x,
+                         body->inflation.gradient, body->inverse_mass);
+    slices->sum[part][0] = steep.second;
+    slices->sum[part][1] = steep.area2;
+    slices->sum[part][2] = steep.volume2;
+}
+
 SweepSteep sweep_steep(const Body* body) {
     const Slices* slices = &body->slices;
+    const int parts = parts_of(slices->count, PART_SLICES);
+    crew_run(steep_part, &(Job){.body = body}, parts);
     SweepSteep steep = {0};
-    for (int from = 0; from < slices->count; from += PART) {
-        const SweepSteep part = kernels()->steep(slices, from, part_end(slices, from), body->x,
-                                                 body->inflation.gradient, body->inverse_mass);
-        steep.second = fmax(steep.second, part.second);
-        steep.area2 += part.area2;
-        steep.volume2 += part.volume2;
+    for (int part = 0; part < parts; part++) {
+        steep.second = fmax(steep.second, slices->sum[part][0]);
+        steep.area2 += slices->sum[part][1];
+        steep.volume2 += slices->sum[part][2];
     }
     return steep;
 }

@@ -17,7 +17,8 @@ enum {
     SWEEP_SPRINGS = 1,  ///< added to body->f
     SWEEP_GRADIENT = 2, ///< into body->inflation.gradient
     SWEEP_AREA = 4,     ///< with the gradient
-    SWEEP_VOLUME = 8    ///< with the gradient
+    SWEEP_VOLUME = 8,   ///< with the gradient
+    SWEEP_CLEAR = 16    ///< body->f is 0 before
 };
 
 /// Sums over the particles, 0 where not wanted.

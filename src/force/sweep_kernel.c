@@ -28,7 +28,7 @@ static ALWAYS lane_mask same_place(const uint32_t* b, const uint32_t* c) {
 }
 
 static const lanes none = {0};
-enum { SWEEP_OPEN = 16 }; ///< the skin has a rim
+enum { SWEEP_OPEN = 32 }; ///< the skin has a rim
 
 /// What is summed up around eight particles.
 typedef struct Around {

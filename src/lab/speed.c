@@ -8,6 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/crew.h"
 #include "base/memory.h"
 #include "lab/bench.h"
 #include "lab/figures.h"
@@ -22,6 +23,7 @@ enum { STREAM = 1 << 24 }; ///< numbers of each array: far more than a cache hol
 static const int side_table[] = {13, 43, 129, 400};
 enum { SIDES = sizeof side_table / sizeof *side_table, SIDES_QUICK = 2 };
 
+static const int threads_side = 129;      ///< where threads are compared: 100,000 particles
 static const double round_seconds = 0.01; ///< [s] of steps timed together, or one step
 static const int peer_most = 100000; ///< particles of Bullet's, whose set-up takes minutes more
 
@@ -174,6 +176,21 @@ static bool open_world(const SpeedCase* c, int side, World* world, Fault* fault)
     return scene_load(c->scene, set, SETS, &def, fault) && world_open(world, &def, fault);
 }
 
+/// A step of two threads by wall time, one by one: what else the machine does falls out of the
+/// shortest.
+static void measure_threads(Figures* figures, const char* name, World* world) {
+    double second[ROUNDS];
+    crew_set(2);
+    for (int r = 0; r < ROUNDS; r++) {
+        const double start = now(CLOCK_MONOTONIC);
+        world_step(world);
+        second[r] = now(CLOCK_MONOTONIC) - start;
+    }
+    crew_set(1);
+    add(figures, name, world->balloon[0].body.count, "step, 2 threads", "us",
+        scaled(times_of(second, ROUNDS), 1e6), 0);
+}
+
 static bool measure_case(Figures* figures, const SpeedCase* c, int side, const Machine* machine,
                          int rounds, Fault* fault) {
     const double before = memory_now();
@@ -198,6 +215,8 @@ static bool measure_case(Figures* figures, const SpeedCase* c, int side, const M
     add(figures, c->name, n, "bandwidth", "GB/s", scaled(rate(times, bytes), 1e-9), moved);
     add(figures, c->name, n, "touched", "B/particle", (Times){bytes / n, bytes / n}, 0);
     add(figures, c->name, n, "memory", "B/particle", (Times){memory / n, memory / n}, 0);
+    if (side == threads_side)
+        measure_threads(figures, c->name, &world);
     if (n <= peer_most) {
         PeerStep peer = {peer_of_world(&world, PEER_ROUNDS), world.step};
         const Times peers = time_steps(step_peer, &peer, rounds < ROUNDS ? 3 : 9);

@@ -30,19 +30,19 @@ static void each_spring_is_in_two_slots(void** state) {
         const Slices* slices = &body.slices;
         int pulling = 0;
         for (int k = 0; k < slices->from[slices->count] * LANES; k++)
-            pulling += slices->stiffness[0][k] > 0;
+            pulling += slices->stiffness[k / LANES][k % LANES] > 0;
         assert_int_equal(pulling, 2 * body.springs.count);
         for (int s = 0; s < body.springs.count; s++)
             for (int end = 0; end < 2; end++) {
-                const int at = slices->spring[s][end], slot = at / LANES;
+                const int at = slices->spring[s][end], slot = at / LANES, lane = at % LANES;
                 int slice = 0;
                 while (slices->from[slice + 1] <= slot)
                     slice++;
-                assert_int_equal(slice * LANES + at % LANES, body.springs.end[s][end]);
-                assert_int_equal(slices->place[0][at],
+                assert_int_equal(slice * LANES + lane, body.springs.end[s][end]);
+                assert_int_equal(slices->place[slot][lane],
                                  (size_t)body.springs.end[s][1 - end] * sizeof(real4));
-                assert_true(slices->stiffness[0][at] == body.springs.stiffness[s]);
-                assert_true(slices->rest[0][at] == body.springs.rest[s]);
+                assert_true(slices->stiffness[slot][lane] == body.springs.stiffness[s]);
+                assert_true(slices->rest[slot][lane] == body.springs.rest[s]);
             }
         body_free(&body);
         mesh_free(&mesh);

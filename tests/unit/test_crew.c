@@ -1,0 +1,105 @@
+/// Threads: every part once, and the same bits for any number of them.
+#include "base/crew.h"
+#include "bodies.h"
+#include "force/force.h"
+
+enum { PARTS = 1000, THREADS = 5 };
+
+static void count_part(void* self, int number) {
+    ((int*)self)[number]++;
+}
+
+static void every_part_is_done_once(void** state) {
+    (void)state;
+    for (int threads = 1; threads <= THREADS; threads++) {
+        crew_set(threads);
+        int done[PARTS] = {0};
+        for (int run = 0; run < 20; run++)
+            crew_run(count_part, done, PARTS - run);
+        for (int k = 0; k < PARTS - 20; k++)
+            assert_int_equal(done[k], 20);
+        crew_run(count_part, done, 0);
+    }
+    crew_set(1);
+}
+
+/// Springs, rubber and gas on a skin of many parts, some steps.
+static void run_body(const Mesh* mesh, Body* body) {
+    body_of(mesh, body);
+    rubber_on(body, &material_neo_hookean, 0.01, 300, 1);
+    body_add_springs(body, paper_springs, LAW_HOOKE);
+    body_inflate(body, &(Inflation){.law = INFLATE_GAS,
+                                    .amount = 1.5,
+                                    .unit = 10,
+                                    .ambient = 10,
+                                    .temperature = 1,
+                                    .filling = filling_table[0]});
+    body->damping.coefficient = 0.02;
+    shake(body, 0.005);
+    steps_of(&method_euler, body, &(Solver){0}, 1e-4, 5);
+}
+
+static void any_number_of_threads_gives_the_same_bits(void** state) {
+    (void)state;
+    Mesh mesh;
+    mesh_of("cube-sphere:30", &mesh);
+    Body one;
+    run_body(&mesh, &one);
+    assert_true(one.membrane.parts > 2 && one.slices.count > 2 * PART_SLICES);
+    const size_t bytes = (size_t)one.count * sizeof(real4);
+    const double bound = force_inflation.bound(&one);
+    for (int threads = 2; threads <= THREADS; threads++) {
+        Body other;
+        crew_set(threads);
+        run_body(&mesh, &other);
+        assert_memory_equal(one.x, other.x, bytes);
+        assert_memory_equal(one.v, other.v, bytes);
+        assert_memory_equal(one.f, other.f, bytes);
+        assert_true(force_inflation.bound(&other) == bound);
+        crew_set(1);
+        body_free(&other);
+    }
+    body_free(&one);
+    mesh_free(&mesh);
+}
+
+/// Elements of parts that are worked on together have no particle in common.
+static void parts_of_a_membrane_are_apart(void** state) {
+    (void)state;
+    const char* names[] = {"cube-sphere:30", "icosphere:5", "torus:200x20"};
+    for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
+        Mesh mesh;
+        Body body;
+        mesh_of(names[n], &mesh);
+        body_of(&mesh, &body);
+        rubber_on(&body, &material_neo_hookean, 0.01, 300, 1);
+        const Membrane* membrane = &body.membrane;
+        int* last = new_array(int, body.count); // part that a particle was met in, of one parity
+        for (int odd = 0; odd < 2; odd++) {
+            for (int i = 0; i < body.count; i++)
+                last[i] = NONE;
+            for (int e = 0; e < membrane->count; e++) {
+                int part = 0;
+                while (membrane_part(membrane->eights, membrane->parts, part + 1) <= e / LANES)
+                    part++;
+                for (int c = 0; part % 2 == odd && c < 3; c++) {
+                    int* met = &last[membrane->corner[e][c]];
+                    assert_true(*met == NONE || *met == part);
+                    *met = part;
+                }
+            }
+        }
+        free(last);
+        body_free(&body);
+        mesh_free(&mesh);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_part_is_done_once),
+        cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
+        cmocka_unit_test(parts_of_a_membrane_are_apart),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
