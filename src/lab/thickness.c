@@ -47,7 +47,8 @@ static Look look_at(const World* world, int b) {
     return look;
 }
 
-static bool run(bool quick, Fault* fault) {
+static bool run(const BenchOptions* options, Fault* fault) {
+    const bool quick = options->quick;
     const SceneSet set[SKINS] = {{"balloons.0.model=teddy.obj"},
                                  {"balloons.1.model=teddy.obj"},
                                  {"balloons.2.model=teddy.obj"}};
