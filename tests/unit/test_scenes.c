@@ -26,7 +26,7 @@ static void every_scene_runs_and_stays_finite(void** state) {
         World world;
         WORLD_OF(&world, path[k]);
         // an implicit step of a skin costs a hundred explicit ones
-        run_for(&world, world.method == &method_newton ? 1 : 5);
+        run_for(&world, world.method == &method_newton ? 0.25 : 5);
         if (!is_finite(&world) || (world.blowup.halted && !world.def.fails))
             fail_msg("%s: %s", path[k], world.blowup.text);
         if (!world.def.fails)
