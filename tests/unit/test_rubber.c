@@ -242,7 +242,8 @@ static void uniform_thickness_does_not_change_the_shape(void** state) {
         assert_close(side[0][c], side[1][c], 1e-3);
 }
 
-/// Figure 7 of the thin-shell paper: without the atmosphere, the same gas swells a thinner skin more.
+/// Figure 7 of the thin-shell paper: without the atmosphere, the same gas swells a thinner skin
+/// more.
 static void thinner_skin_swells_more(void** state) {
     (void)state;
     World world;
