@@ -17,7 +17,7 @@ enum {
     MAP_OWN_ROW = 4,   ///< the scene's own stiffness
     MAP_OWN_COLUMN = 6 ///< and step
 };
-enum { MAP_SETS = 96, MAP_WORDS = 16, MAP_WORD = 96 };
+enum { MAP_SETS = 160, MAP_WORDS = 16, MAP_WORD = 96 };
 enum { MAP_UNKNOWN = -1 }; ///< not measured yet, or the state has no rest; else a Verdict
 
 /// Overrides of a scene, with room for their own words.
