@@ -37,6 +37,22 @@ typedef struct Around {
     lanes area;      ///< 8 times their share [m^2]
 } Around;
 
+/// A corner's share in a face, `across` from b to the corner before.
+static ALWAYS void take_face(Around* around, unsigned wanted, Lanes3 b, Lanes3 c, Lanes3 across,
+                             lane_mask triangle) {
+    if (!(wanted & SWEEP_AREA)) { // one product for both
+        around->gradient = lanes3_plus(around->gradient, lanes3_cross(lanes3_plus(b, c), across));
+        return;
+    }
+    const Lanes3 two_areas = lanes3_cross(c, across);
+    const lanes share = lanes_select(triangle, (real)4 / 3 + none, 1 + none);
+    around->area += share * lanes_sqrt(lanes3_dot(two_areas, two_areas));
+    around->gradient =
+        wanted & SWEEP_OPEN
+            ? lanes3_plus(around->gradient, lanes3_times((real)1.5 * share, two_areas))
+            : lanes3_plus(lanes3_plus(around->gradient, two_areas), lanes3_cross(b, across));
+}
+
 /// The faces around eight particles at a, and the springs to their corners. Returns the next slot.
 static ALWAYS int go_round(const Slices* s, int slice, const real4* x, Lanes3 a, unsigned wanted,
                            SpringLaw law, Around* around) {
@@ -51,19 +67,9 @@ static ALWAYS int go_round(const Slices* s, int slice, const real4* x, Lanes3 a,
             around->f = lanes3_plus(lanes3_plus(around->f, to_b), to_c);
         }
         const Lanes3 next = k > 1 ? lanes3_minus(lanes3_gather(x, s->place[slot + 2]), a) : first;
-        if (wanted & SWEEP_GRADIENT) {
-            const Lanes3 across = lanes3_minus(next, b);
-            const Lanes3 two_areas = lanes3_cross(c, across);
-            const lane_mask triangle = same_place(s->place[slot], s->place[slot + 1]);
-            const lanes share = lanes_select(triangle, (real)4 / 3 + none, 1 + none);
-            around->gradient =
-                wanted & SWEEP_OPEN
-                    ? lanes3_plus(around->gradient, lanes3_times((real)1.5 * share, two_areas))
-                    : lanes3_plus(lanes3_plus(around->gradient, two_areas),
-                                  lanes3_cross(b, across));
-            if (wanted & SWEEP_AREA)
-                around->area += share * lanes_sqrt(lanes3_dot(two_areas, two_areas));
-        }
+        if (wanted & SWEEP_GRADIENT)
+            take_face(around, wanted, b, c, lanes3_minus(next, b),
+                      same_place(s->place[slot], s->place[slot + 1]));
         b = next;
     }
     return slot;
@@ -72,12 +78,6 @@ static ALWAYS int go_round(const Slices* s, int slice, const real4* x, Lanes3 a,
 /// Sums of eight lanes in double; lanes a and a + 4 together.
 static ALWAYS double4 to_sums(lanes a) {
     return to_double4(lanes_low(a)) + to_double4(lanes_high(a));
-}
-
-/// Products of eight lanes with b, from an origin.
-static ALWAYS double4 to_moments(lanes a, double origin, lanes b) {
-    return (to_double4(lanes_low(a)) - origin) * to_double4(lanes_low(b)) +
-           (to_double4(lanes_high(a)) - origin) * to_double4(lanes_high(b));
 }
 
 /// In the order of the lanes, so that every machine rounds alike.
@@ -89,7 +89,7 @@ static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const re
                                      unsigned wanted, SpringLaw law, real4* restrict f,
                                      real4* restrict gradient) {
     double4 area = {0}, volume = {0};
-    const double4 origin = to_double4(x[0]);
+    const Lanes3 origin = {x[0][0] + none, x[0][1] + none, x[0][2] + none};
     for (int slice = from; slice < to; slice++) {
         const int i = slice * LANES;
         const Lanes3 a = lanes3_load(&x[i]);
@@ -112,8 +112,7 @@ static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const re
             lanes3_store(&gradient[i], g);
             area += to_sums(around.area);
             if (wanted & SWEEP_VOLUME)
-                volume += to_moments(a.x, origin[0], g.x) + to_moments(a.y, origin[1], g.y) +
-                          to_moments(a.z, origin[2], g.z);
+                volume += to_sums(lanes3_dot(lanes3_minus(a, origin), g));
         }
     }
     return (SweepSums){sum_of(area) / 8, sum_of(volume) / 3};
