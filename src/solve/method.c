@@ -25,16 +25,14 @@ double method_unlimited(double w2, double gamma) {
 
 /// Damping rates c/m over the particles that move [1/s].
 static void damping_rates(const Body* body, double* least, double* most) {
-    *least = INFINITY;
-    *most = 0;
-    for (int i = 0; i < body->count; i++) {
-        if (body->inverse_mass[i] <= 0)
-            continue;
-        const double rate = body_drag(body, i) * (double)body->inverse_mass[i];
-        *least = rate < *least ? rate : *least;
-        *most = rate > *most ? rate : *most;
+    real light = 0, heavy = (real)INFINITY; // the largest and the least 1/m
+    for (int i = 0; body->damping.coefficient != 0 && i < body->count; i++) {
+        const real w = body->inverse_mass[i];
+        light = w > light ? w : light;
+        heavy = w > 0 && w < heavy ? w : heavy;
     }
-    *least = fmin(*least, *most); // where nothing moves
+    *most = body->damping.coefficient * (double)light + body->damping.rate;
+    *least = light > 0 ? body->damping.coefficient * (double)heavy + body->damping.rate : *most;
 }
 
 double method_bound(const Method* method, const Body* body) {
