@@ -131,6 +131,8 @@ void hud_draw(const Panel* panel, int width, int height) {
                    size.x - MARGIN * scale, true);
     else if (panel->page)
         draw_page(*panel->page, size);
+    if (panel->page)
+        draw_slider(panel->page->slider, size);
     if (panel->message[0])
         draw_message(*panel, size);
 
@@ -142,6 +144,13 @@ bool hud_cell(const Panel* panel, int width, int height, const float point[2], i
     const ImVec2 size(static_cast<float>(width), static_cast<float>(height));
     return panel->page && !panel->help_shown &&
            page_cell(*panel->page, size, ImVec2(point[0] * size.x, point[1] * size.y), cell);
+}
+
+int hud_notch(const Panel* panel, int width, int height, const float point[2]) {
+    const ImVec2 size(static_cast<float>(width), static_cast<float>(height));
+    if (!panel->page)
+        return 0;
+    return slider_notch(panel->page->slider, size, ImVec2(point[0] * size.x, point[1] * size.y));
 }
 
 void hud_close(void) {

@@ -21,6 +21,9 @@ void hud_draw(const Panel* panel, int width, int height);
 /// none.
 bool hud_cell(const Panel* panel, int width, int height, const float point[2], int cell[2]);
 
+/// The notch of the lab's slider there, 1 …; 0: there is none.
+int hud_notch(const Panel* panel, int width, int height, const float point[2]);
+
 void hud_close(void);
 
 #ifdef __cplusplus

@@ -37,6 +37,10 @@ void draw_page(const Page& page, ImVec2 size);
 /// The cell of its map under a point [px].
 bool page_cell(const Page& page, ImVec2 size, ImVec2 point, int cell[2]);
 
+/// The slider at the lower left, and its notch under a point, 1 …; 0: none [px].
+void draw_slider(const PageSlider& slider, ImVec2 size);
+int slider_notch(const PageSlider& slider, ImVec2 size, ImVec2 point);
+
 } // namespace hud
 
 #endif

@@ -11,9 +11,9 @@
 /// An error is never taken for less than what the step's and the mesh's parts of it are alone,
 /// which neighbouring points tell: that they cancel is luck. The reference is what two finer runs
 /// of the scene's own method tell of no step at all, order 1, and two levels of the mesh of endless
-/// fineness, order 2; the floor is a tenth of how far the finest run is off that. Steps are 1/60 s
-/// halved again and again, from where the guard does not split them, until the error stands still
-/// or a second costs ADVISE_MOST.
+/// fineness, order 2; the floor is a tenth of how far the finest run is off that, 1e-4 at least.
+/// Steps are 1/60 s halved again and again, from where the guard does not split them, until the
+/// error stands still or a second costs 25 ms a frame.
 ///
 /// Points are kept where the system keeps caches, and hold for every scene of the same words whose
 /// numbers are within a fifth, on the same machine.
@@ -22,6 +22,8 @@
 
 #include "lab/overrides.h"
 #include "world/world.h"
+
+enum { ADVISE_OUTPUTS = 16 }; ///< that a scene may be about
 
 extern const double ADVISE_MARGIN; ///< error that may be, over error that was measured [1]
 extern const double ADVISE_FPS;    ///< frames that a second's cost is spread over [1/s]
@@ -39,6 +41,8 @@ typedef struct Advice {
     AdvicePoint* point; ///< [count] owned
     int count;
     double floor; ///< what is not known of the reference [1]
+    int outputs;
+    double reference[ADVISE_OUTPUTS]; ///< of the scene that was measured
 } Advice;
 
 /// The points of a scene, from the cache or measured now and then kept. `fresh`: measured anyway.

@@ -75,7 +75,13 @@ static bool numbers_fit(const Likeness* likeness, FILE* in) {
 
 static bool read_points(Advice* advice, FILE* in) {
     int room;
-    if (fscanf(in, " floor %lf points %d", &advice->floor, &room) != 2 || room < 1)
+    if (fscanf(in, " floor %lf outputs %d", &advice->floor, &advice->outputs) != 2 ||
+        advice->outputs < 1 || advice->outputs > ADVISE_OUTPUTS)
+        return false;
+    for (int k = 0; k < advice->outputs; k++)
+        if (fscanf(in, "%lf", &advice->reference[k]) != 1)
+            return false;
+    if (fscanf(in, " points %d", &room) != 1 || room < 1)
         return false;
     advice->point = new_array(AdvicePoint, room);
     for (; advice->count < room; advice->count++) {
@@ -116,7 +122,10 @@ bool advise_keep(const char* text, const Advice* advice, Fault* fault) {
     fprintf(out, "%s\nnumbers %d", chart_machine(), likeness.count);
     for (int k = 0; k < likeness.count; k++)
         fprintf(out, " %.17g", likeness.number[k]);
-    fprintf(out, "\nfloor %.17g points %d\n", advice->floor, advice->count);
+    fprintf(out, "\nfloor %.17g outputs %d", advice->floor, advice->outputs);
+    for (int k = 0; k < advice->outputs; k++)
+        fprintf(out, " %.17g", advice->reference[k]);
+    fprintf(out, "\npoints %d\n", advice->count);
     for (int k = 0; k < advice->count; k++) {
         const AdvicePoint* p = &advice->point[k];
         fprintf(out, "%s,%s,%d,%.17g,%.17g,%.17g\n", p->method, p->precision, p->level, p->step,

@@ -7,7 +7,7 @@
 #include "lab/report.h"
 #include "world/place.h"
 
-enum { OUTPUTS_MOST = 16, COARSEST = -3, FINEST = 2, HALVINGS = 12, RETIMES = 2 };
+enum { COARSEST = -3, FINEST = 2, HALVINGS = 12, RETIMES = 2 };
 
 /// A mesh of more points is too slow for what it gains. [1]
 static const int points_most = 12000, reference_points_most = 3000;
@@ -15,6 +15,8 @@ static const int points_most = 12000, reference_points_most = 3000;
 static const double cost_most = 1500;
 /// Steps nearer to each other than this tell nothing of each other's errors. [1]
 static const double told_apart = 0.9;
+/// Of scenes a little off nothing is promised closer than this. [1]
+static const double closest_promise = 1e-4;
 /// What an error may be more than it seems where no neighbour tells. [1]
 static const double unknown = 2;
 /// Errors above this are not those of a float's rounding. [1]
@@ -43,12 +45,11 @@ typedef struct Study {
     int set_count;
     World world; ///< the scene, before its first step
     unsigned outputs;
-    double reference[OUTPUTS_MOST];
     Line* line;
     int lines;
     Advice* advice;
-    double (*value)[OUTPUTS_MOST]; ///< [room] of each point
-    double* part;                  ///< [room] its step as the guard had it made [s]
+    double (*value)[ADVISE_OUTPUTS]; ///< [room] of each point
+    double* part;                    ///< [room] its step as the guard had it made [s]
 } Study;
 
 static bool command(const Study* study, const char* method, const char* precision, int level,
@@ -119,7 +120,7 @@ static int points_at(const Study* study, int level) {
 static bool endless_step(const Study* study, int level, double value[], Fault* fault) {
     Report report;
     const char* method = study->world.method->name;
-    double step = fmin(study->world.step, 1 / ADVISE_FPS), coarse[OUTPUTS_MOST];
+    double step = fmin(study->world.step, 1 / ADVISE_FPS), coarse[ADVISE_OUTPUTS];
     if (!run_one(study, method, "double", level, step, coarse, &report, fault))
         return false;
     step /= 2 * exp2(ceil(log2(report.parts)));
@@ -140,21 +141,22 @@ static bool find_reference(Study* study, Fault* fault) {
     while (fine < FINEST && points_at(study, fine + 1) > 0 &&
            points_at(study, fine + 1) <= reference_points_most)
         fine++;
-    double finest[OUTPUTS_MOST], coarser[OUTPUTS_MOST];
+    study->advice->floor = closest_promise;
+    double finest[ADVISE_OUTPUTS], coarser[ADVISE_OUTPUTS];
     if (!endless_step(study, fine, finest, fault))
         return false;
     memcpy(coarser, finest, sizeof coarser);
     if (points_at(study, fine - 1) > 0 && !endless_step(study, fine - 1, coarser, fault))
         return false;
     for (unsigned k = 0; k < study->outputs; k++) {
-        study->reference[k] = finest[k] + (finest[k] - coarser[k]) / 3;
-        if (!(fabs(study->reference[k]) > 0))
+        study->advice->reference[k] = finest[k] + (finest[k] - coarser[k]) / 3;
+        if (!(fabs(study->advice->reference[k]) > 0))
             return fault_set(fault, study->world.def.file,
                              "about: %s has no value to compare with at %g s",
                              study->world.def.about[k].output, study->world.def.about[k].at);
         study->advice->floor =
-            fmax(study->advice->floor,
-                 0.1 * fabs(finest[k] - study->reference[k]) / fabs(study->reference[k]));
+            fmax(study->advice->floor, 0.1 * fabs(finest[k] - study->advice->reference[k]) /
+                                           fabs(study->advice->reference[k]));
     }
     return true;
 }
@@ -184,14 +186,15 @@ static void add_lines(Study* study) {
     }
     const int room = study->lines * (HALVINGS + 1);
     study->advice->point = new_array(AdvicePoint, room);
-    study->value = new_array(double[OUTPUTS_MOST], room);
+    study->value = new_array(double[ADVISE_OUTPUTS], room);
     study->part = new_array(double, room);
 }
 
 static double error_of(const Study* study, const double value[]) {
     double most = 0;
     for (unsigned k = 0; k < study->outputs; k++) {
-        const double error = fabs(value[k] - study->reference[k]) / fabs(study->reference[k]);
+        const double error =
+            fabs(value[k] - study->advice->reference[k]) / fabs(study->advice->reference[k]);
         most = error <= most ? most : isfinite(error) ? error : INFINITY;
     }
     return most;
@@ -232,7 +235,7 @@ static bool go_on(Study* study, Line* line, Fault* fault) {
 static double apart(const Study* study, const double value[], const double other[]) {
     double most = 0;
     for (unsigned k = 0; k < study->outputs; k++)
-        most = fmax(most, fabs(value[k] - other[k]) / fabs(study->reference[k]));
+        most = fmax(most, fabs(value[k] - other[k]) / fabs(study->advice->reference[k]));
     return most;
 }
 
@@ -294,7 +297,7 @@ static bool is_too_slow(const Study* study, const Line* line) {
 }
 
 static bool time_again(Study* study, AdvicePoint* point, Fault* fault) {
-    double value[OUTPUTS_MOST];
+    double value[ADVISE_OUTPUTS];
     Report report;
     if (!run_one(study, point->method, point->precision, point->level, point->step, value, &report,
                  fault))
@@ -343,7 +346,8 @@ bool advise_measure(const char* scene, const SceneSet* set, int set_count, Advic
     if (!scene_load(scene, set, set_count, &def, fault) || !world_open(&study.world, &def, fault))
         return false;
     study.outputs = scene_outputs(&study.world.def);
-    bool good = study.outputs > 0 && study.outputs <= OUTPUTS_MOST;
+    advice->outputs = (int)study.outputs;
+    bool good = study.outputs > 0 && study.outputs <= ADVISE_OUTPUTS;
     if (!good)
         fault_set(fault, study.world.def.file,
                   "it is not about outputs that an error could be of; see balloon needs");

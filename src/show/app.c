@@ -118,7 +118,7 @@ void app_go(App* app, int direction) {
         !app_open_scene(app, path[(from + direction + count) % count], NULL, 0, NULL, &fault)) {
         app_say(app, "%s: %s", fault.place, fault.text);
     } else {
-        app->set_count = 0;
+        app->set_count = app->notch = 0;
         app->watching = false;
         if (app->lab)
             app_lab(app, true);

@@ -28,6 +28,7 @@ typedef struct App {
     Panel panel;
     const SceneSet* set; ///< [set_count] overrides of the scene, as the command line gave them
     int set_count;       ///< 0 where another scene is on
+    int notch;           ///< of the lab's slider, 1 …; 0: the scene as it is
     bool watching;       ///< the scene is that of a cell of the lab's map
     LabPage* lab;        ///< NULL: not shown, and nothing is measured for it
     char message[512];   ///< a sentence for the user
@@ -71,9 +72,13 @@ bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_cou
                     Fault* fault);
 
 /// Start the scene again as the chosen cell of the lab's map has it, guard off; and bring it back
-/// as it was. Each begins a log of its own, which says what it takes to replay it (show/watch.c).
+/// as it was, from a notch too. Each begins a log of its own, which says what it takes to replay it
+/// (show/watch.c).
 void app_watch(App* app);
 void app_watch_no_more(App* app);
+
+/// Start the scene again as a notch of the lab's slider has it, the nearest that there is.
+void app_slide(App* app, int notch);
 
 /// Show the lab's page, or take it away.
 void app_lab(App* app, bool shown);

@@ -106,10 +106,22 @@ static void longer(App* app) {
 
 static void choose_there(App* app) {
     int cell[2];
-    if (!app->lab || !hud_cell(&app->panel, app->width, app->height, app->pointer, cell))
+    const int notch = hud_notch(&app->panel, app->width, app->height, app->pointer);
+    if (app->lab && notch > 0)
+        app_slide(app, notch);
+    if (notch > 0 || !app->lab ||
+        !hud_cell(&app->panel, app->width, app->height, app->pointer, cell))
         return;
     lab_page_choose(app->lab, cell[0], cell[1]);
     app_watch(app);
+}
+
+static void less_accurate(App* app) {
+    app_slide(app, app->notch - 1);
+}
+
+static void more_accurate(App* app) {
+    app_slide(app, app->notch + 1);
 }
 
 static void full_screen(App* app) {
@@ -141,13 +153,15 @@ const ViewKey view_key_table[] = {
     {"z",          "size of the next ball: radius 0.05 to 0.8", next_radius},
     {"s",          "speed of the next ball: 1 to 200",         next_speed},
     {"o",          "show or hide the overlay",                 overlay},
-    {"g",          "show or hide the lab: plots, curve, map",  lab},
+    {"g",          "show or hide the lab: plots, curve, map, slider", lab},
+    {"[",          "on the slider: a notch faster",            less_accurate},
+    {"]",          "a notch more accurate",                    more_accurate},
     {"i",          "on the map: choose a stiffer skin",        stiffer},
     {"k",          "a softer one",                             softer},
     {"j",          "a shorter step",                           shorter},
     {"l",          "a longer one",                             longer},
     {"enter",      "watch the scene with these, unguarded",    app_watch},
-    {"click",      "choose on the map, and watch that",        choose_there},
+    {"click",      "choose on the map or slider, and watch that",        choose_there},
     {"backspace",  "bring the scene back as it was",           app_watch_no_more},
     {"h",          "show or hide these keys",                  help},
     {"f11",        "full screen or window",                    full_screen},

@@ -13,6 +13,7 @@ _Static_assert((int)MAP_ROWS == (int)PAGE_ROWS && (int)MAP_COLUMNS == (int)PAGE_
 LabPage* lab_page_open(const World* world, const SceneSet* set, int set_count, bool timed) {
     LabPage* lab = new_array(LabPage, 1);
     lab->timed = timed;
+    slider_open(&lab->slider, world, set, set_count);
     lab_page_begin(lab);
     map_begin(&lab->map, world, set, set_count);
     lab_page_choose(lab, MAP_OWN_ROW, MAP_OWN_COLUMN);
@@ -21,6 +22,7 @@ LabPage* lab_page_open(const World* world, const SceneSet* set, int set_count, b
 
 void lab_page_begin(LabPage* lab) {
     history_begin(&lab->history);
+    slider_begin(&lab->slider);
     lab->looked = NONE;
     lab->spent = 0;
     lab->steps = 0;
@@ -33,8 +35,9 @@ void lab_page_start(LabPage* lab, const World* world) {
 }
 
 void lab_page_step(LabPage* lab, const World* world, long every) {
-    if (lab->timed)
-        lab->spent += stages_now() - lab->since;
+    const double ms = lab->timed ? stages_now() - lab->since : 0;
+    slider_step(&lab->slider, world, ms);
+    lab->spent += ms;
     lab->steps++;
     if (history_due(&lab->history, world, every)) {
         history_add(&lab->history, world, lab->timed ? lab->spent / lab->steps : (double)NAN);
@@ -114,7 +117,7 @@ static void map_take(const Map* map, PageMap* page) {
              verdict == MAP_UNKNOWN ? "not measured yet" : verdict_name[verdict]);
 }
 
-const Page* lab_page_take(LabPage* lab, const World* world, bool watched) {
+const Page* lab_page_take(LabPage* lab, const World* world, bool watched, int notch) {
     Page* page = &lab->page;
     const int balloon = history_balloon(world);
     snprintf(page->title, sizeof page->title, "Balloon %d", balloon);
@@ -128,11 +131,14 @@ const Page* lab_page_take(LabPage* lab, const World* world, bool watched) {
         curve_take(&lab->history, &lab->round, &page->curve);
     map_take(&lab->map, &page->map);
     page->map.watched = watched;
+    slider_take(&lab->slider, world, notch, lab->timed, &page->slider);
     return page;
 }
 
 void lab_page_close(LabPage* lab) {
-    if (lab)
+    if (lab) {
         map_end(&lab->map);
+        slider_close(&lab->slider);
+    }
     free(lab);
 }

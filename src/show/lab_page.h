@@ -5,6 +5,7 @@
 
 #include "lab/map.h"
 #include "lab/round.h"
+#include "show/slider.h"
 #include "view/history.h"
 
 typedef struct LabPage {
@@ -16,7 +17,8 @@ typedef struct LabPage {
     bool timed;   ///< what a step costs is plotted
     int looked;   ///< balloon that was looked at for a closed form; NONE: none was
     Round round;  ///< its form, where the page has a curve
-    Map map;      ///< of the scene as it was loaded, whatever cell of it is watched
+    Slider slider;
+    Map map; ///< of the scene as it was loaded, whatever cell of it is watched
 } LabPage;
 
 /// timed: what a step costs is shown too, and then no two pictures are the same. set: overrides
@@ -38,8 +40,9 @@ void lab_page_work(LabPage* lab, double parts, double ms);
 /// Move the choice on the map; it stays within.
 void lab_page_choose(LabPage* lab, int row, int column);
 
-/// What is to be drawn. watched: the world is that of the chosen cell.
-const Page* lab_page_take(LabPage* lab, const World* world, bool watched);
+/// What is to be drawn. watched: the world is that of the chosen cell; notch: of the slider's, 1 …,
+/// or the scene as it is, 0.
+const Page* lab_page_take(LabPage* lab, const World* world, bool watched, int notch);
 
 void lab_page_close(LabPage* lab);
 

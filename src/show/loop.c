@@ -111,7 +111,7 @@ static void draw(App* app, double elapsed, double frame_ms) {
         const bool user = app->output.full_screen;
         lab_page_work(app->lab, user ? INFINITY : MAP_PARTS * elapsed * app->options->fps,
                       user ? fmax(MAP_MS, 1e3 * MAP_SHARE * elapsed) : INFINITY);
-        app->panel.page = lab_page_take(app->lab, app->world, app->watching);
+        app->panel.page = lab_page_take(app->lab, app->world, app->watching, app->notch);
     }
     renderer_bind_resolved(app->renderer);
     hud_draw(&app->panel, app->width, app->height);

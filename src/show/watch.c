@@ -1,13 +1,16 @@
-/// A cell of the lab's map, watched: the scene with its step and stiffness.
+/// What is chosen in the lab, watched: a cell of the map, the scene with its step and stiffness; a
+/// notch of the slider, the scene stepped as advised.
 #include "show/app.h"
 
 #include <stdio.h>
 
+#include "lab/overrides.h"
+
 /// "--set guard="off" --set step=0.004 …": what the log needs beside its scene.
-static void say_how(const MapSets* sets, char* how, size_t size) {
+static void say_how(const SceneSet* set, int count, char* how, size_t size) {
     size_t used = (size_t)snprintf(how, size, "with");
-    for (int k = 0; k < sets->words && used < size; k++)
-        used += (size_t)snprintf(how + used, size - used, " --set '%s'", sets->word[k]);
+    for (int k = 0; k < count && used < size; k++)
+        used += (size_t)snprintf(how + used, size - used, " --set '%s'", set[k].text);
 }
 
 /// The eye, the display mode and the choice stay.
@@ -29,23 +32,71 @@ static bool change(App* app, const SceneSet* set, int count, const char* how) {
 void app_watch(App* app) {
     char how[MAP_WORDS * (MAP_WORD + 10)];
     MapSets sets;
+    SceneSet word[MAP_WORDS];
     if (!app->lab) {
         app_say(app, "g shows the lab's map, on which to choose");
         return;
     }
     const PageMap* map = &app->lab->page.map;
     map_sets(&app->lab->map, map->chosen[0], map->chosen[1], &sets);
-    say_how(&sets, how, sizeof how);
+    for (int k = 0; k < sets.words; k++)
+        word[k].text = sets.word[k];
+    say_how(word, sets.words, how, sizeof how);
     if (!change(app, sets.set, sets.count, how))
         return;
     app->watching = true;
+    app->notch = 0;
     app_say(app, "step %.3g ms, stiffness x %g, unguarded; backspace brings the scene back",
             1e3 * app->world->step, map_stiffness(map->chosen[0]));
 }
 
 void app_watch_no_more(App* app) {
-    if (app->watching && change(app, app->set, app->set_count, NULL)) {
+    if ((app->watching || app->notch > 0) && change(app, app->set, app->set_count, NULL)) {
         app->watching = false;
+        app->notch = 0;
         app_say(app, "the scene as it was");
     }
+}
+
+/// What the scene as it was begun must be told for a notch. False where it does not load any more.
+static bool sets_of(const App* app, int notch, Overrides* sets, Fault* fault) {
+    WorldDef def;
+    World begun; // the mesh's levels are counted from it
+    if (!scene_load(app->world->def.file, app->set, app->set_count, &def, fault) ||
+        !world_open(&begun, &def, fault))
+        return false;
+    slider_sets(&app->lab->slider, &begun, notch, sets);
+    world_close(&begun);
+    return true;
+}
+
+void app_slide(App* app, int notch) {
+    if (!app->lab || app->lab->slider.notches == 0) {
+        app_say(app, app->lab ? "nothing is measured of this scene yet: balloon advise"
+                              : "g shows the lab, with its slider");
+        return;
+    }
+    const int last = app->lab->slider.notches;
+    notch = notch < 1 ? 1 : notch > last ? last : notch;
+    Overrides sets = {.count = 0};
+    SceneSet set[MAP_SETS];
+    char how[OVERRIDES_MOST * 64];
+    Fault fault = {0};
+    if (notch == app->notch)
+        return;
+    if (!sets_of(app, notch, &sets, &fault)) {
+        app_say(app, "%s: %s", fault.place, fault.text);
+        return;
+    }
+    int count = 0;
+    for (; count < app->set_count && count < MAP_SETS - sets.count; count++)
+        set[count] = app->set[count];
+    const int own = count;
+    for (int k = 0; k < sets.count; k++)
+        set[count++].text = sets.text[k];
+    say_how(set + own, sets.count, how, sizeof how);
+    if (!change(app, set, count, how))
+        return;
+    app->watching = false;
+    app->notch = notch;
 }

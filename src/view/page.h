@@ -1,12 +1,13 @@
-/// The lab's page of the overlay, as plain arrays: plots over time, what a
-/// skin should do beside what it does, and a map of where steps fail. Whoever has measured fills
-/// it, hud/ draws it the same in the window and headless.
+/// The lab's page of the overlay, as plain arrays: plots over time, what a skin should do beside
+/// what it does, a map of where steps fail, and a slider from fast to accurate. Whoever has
+/// measured fills it, hud/ draws it the same in the window and headless.
 #ifndef BALLOON_VIEW_PAGE_H
 #define BALLOON_VIEW_PAGE_H
 
 #include <stdbool.h>
 
 enum { PAGE_PLOTS = 4, PAGE_POINTS = 300, PAGE_CURVE = 120, PAGE_ROWS = 9, PAGE_COLUMNS = 17 };
+enum { PAGE_NOTCHES = 32, PAGE_LINES = 4 };
 
 /// One quantity over the page's times.
 typedef struct PagePlot {
@@ -47,6 +48,14 @@ typedef struct PageMap {
     char why[48];   ///< why cells are missing; empty: they are not, or will come
 } PageMap;
 
+/// A slider from fast to accurate, a notch for each way that is measured.
+typedef struct PageSlider {
+    int notches; ///< 0: nothing is known, and the lines say what to do
+    int at;      ///< the present one, 1 …; 0: none
+    int lines;
+    char line[PAGE_LINES][96]; ///< [lines] below the track
+} PageSlider;
+
 typedef struct Page {
     char title[64];
     int count;            ///< points of every plot
@@ -56,6 +65,7 @@ typedef struct Page {
     bool has_curve;
     PageCurve curve;
     PageMap map;
+    PageSlider slider;
 } Page;
 
 #endif

@@ -32,7 +32,7 @@ static void a_plot_holds_what_the_csv_says(void** state) {
         want[1][k] = (float)probe(&world, "balloon0.gauge_pressure");
         want[2][k] = (float)probe(&world, "balloon0.total_energy");
     }
-    const Page* page = lab_page_take(lab, &world, false);
+    const Page* page = lab_page_take(lab, &world, false, 0);
     assert_int_equal(page->count, 10);
     const char* label[] = {"volume", "pressure", "energy"};
     for (int q = 0; q < 3; q++)
@@ -50,7 +50,7 @@ static void the_oldest_points_make_room(void** state) {
     LabPage* lab = lab_page_open(&world, NULL, 0, false);
     lab_page_start(lab, &world);
     step(lab, &world, EVERY * (PAGE_POINTS + 6));
-    const Page* page = lab_page_take(lab, &world, false);
+    const Page* page = lab_page_take(lab, &world, false, 0);
     assert_int_equal(page->count, PAGE_POINTS);
     for (int k = 1; k < page->count; k++)
         assert_near(page->t[k] - page->t[k - 1], EVERY * world.step, 1e-6);
@@ -68,13 +68,13 @@ static void a_reset_and_another_balloon_begin_it_again(void** state) {
     step(lab, &world, 10 * EVERY);
     world_reset(&world);
     step(lab, &world, 1);
-    assert_int_equal(lab_page_take(lab, &world, false)->count, 1);
+    assert_int_equal(lab_page_take(lab, &world, false, 0)->count, 1);
 
     step(lab, &world, 10 * EVERY);
     press(&world, "select", "down");
     press(&world, "select", "down");
     step(lab, &world, 1);
-    const Page* page = lab_page_take(lab, &world, false);
+    const Page* page = lab_page_take(lab, &world, false, 0);
     assert_int_equal(page->count, 1);
     assert_string_equal(page->title, "Balloon 1");
     assert_true(plot(page, "volume")->y[0] == (float)probe(&world, "balloon1.volume"));
@@ -90,7 +90,7 @@ static void what_a_balloon_has_not_is_not_plotted(void** state) {
         LabPage* lab = lab_page_open(&world, NULL, 0, timed);
         lab_page_start(lab, &world);
         step(lab, &world, 2 * EVERY);
-        const Page* page = lab_page_take(lab, &world, false);
+        const Page* page = lab_page_take(lab, &world, false, 0);
         assert_null(plot(page, "volume"));
         assert_non_null(plot(page, "pressure"));
         assert_true((plot(page, "a step") != NULL) == timed);
@@ -143,7 +143,7 @@ static void other_skins_have_none(void** state) {
             fail_msg("%s has a closed form", none[k][0]);
         LabPage* lab = lab_page_open(&world, NULL, 0, false);
         lab_page_start(lab, &world);
-        assert_false(lab_page_take(lab, &world, false)->has_curve);
+        assert_false(lab_page_take(lab, &world, false, 0)->has_curve);
         lab_page_close(lab);
         world_close(&world);
     }
@@ -160,7 +160,7 @@ static void the_dot_ends_on_the_curve(void** state) {
         world_step(&world);
         lab_page_step(lab, &world, 1);
     }
-    const Page* page = lab_page_take(lab, &world, false);
+    const Page* page = lab_page_take(lab, &world, false, 0);
     assert_true(page->has_curve);
     const PageCurve* curve = &page->curve;
     const float* now = curve->way[curve->count - 1];
@@ -202,7 +202,7 @@ static void the_page_changes_no_bit_of_the_world(void** state) {
     lab_page_start(lab, &watched);
     for (int n = 0; n < 50; n++) {
         step(lab, &watched, 1);
-        lab_page_take(lab, &watched, false);
+        lab_page_take(lab, &watched, false, 0);
         world_step(&alone);
     }
     assert_true(world_hash(&watched) == world_hash(&alone));
@@ -211,8 +211,46 @@ static void the_page_changes_no_bit_of_the_world(void** state) {
     world_close(&alone);
 }
 
+/// Of a scene that nobody has measured the slider says how to; of one that was, what is expected of
+/// the notch and, once the outputs' times have come, how far off they are.
+static void a_slider_says_what_is_known(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "exact-cube");
+    AdvicePoint point[2] = {{.method = "euler", .step = 1e-3, .error = 0.1, .ms = 0.5},
+                            {.method = "euler", .step = 1e-4, .error = 0.01, .ms = 5}};
+    const AdvicePoint* front[2] = {&point[0], &point[1]};
+    Slider slider = {.error = (double)NAN};
+    PageSlider page = {0};
+    slider_take(&slider, &world, 0, false, &page);
+    assert_int_equal(page.notches, 0);
+    assert_non_null(strstr(page.line[1], "balloon advise"));
+
+    slider = (Slider){.front = front, .notches = 2, .error = (double)NAN};
+    slider.advice.outputs = 1;
+    slider.advice.reference[0] = 1;
+    slider_take(&slider, &world, 2, false, &page);
+    assert_int_equal(page.at, 2);
+    assert_non_null(strstr(page.line[1], "5 ms a frame"));
+    assert_non_null(strstr(page.line[2], "not yet known"));
+
+    assert_true(scene_outputs(&world.def) > 0);
+    double value = 0;
+    while (world_time(&world) < world.def.about[0].at - world.step / 2) {
+        world_step(&world);
+        slider_step(&slider, &world, 1);
+    }
+    assert_true(probe_value(&world, world.def.about[0].output, &value));
+    assert_near(slider.error, fabs(value - 1), 1e-12);
+    slider_take(&slider, &world, 0, true, &page);
+    assert_non_null(strstr(page.line[1], "as it is"));
+    assert_non_null(strstr(page.line[2], "% off"));
+    world_close(&world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_slider_says_what_is_known),
         cmocka_unit_test(a_plot_holds_what_the_csv_says),
         cmocka_unit_test(the_oldest_points_make_room),
         cmocka_unit_test(a_reset_and_another_balloon_begin_it_again),

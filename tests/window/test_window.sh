@@ -249,6 +249,28 @@ leave
 ok "it is left with exit code 0" test $status = 0
 ok "and says what went bad" grep -q "went bad in step" "$scratch/said"
 
+# --- a notch of the slider is a way that was measured; each has a log that replays
+export XDG_CACHE_HOME=$scratch/cache
+ok "advice is measured" "$balloon" advise exact-cube --budget 4ms --out "$scratch/advised.yaml"
+plain=("${scene[@]}") scene=(exact-cube)
+rm -f "$scratch"/balloon-*.png "$scratch"/log*
+shots=0
+start --record log --hash --lab
+until_true is_open
+xdotool key bracketright
+ok "the fastest notch opens the scene again" until_true logs 2
+shot && xdotool mousemove 326 $(($(identify -format %h "$file") - 90)) click 1
+ok "a click on the slider's end opens the most accurate one" until_true logs 3
+xdotool key BackSpace
+ok "and backspace the scene as it was" until_true logs 4
+xdotool key q
+leave
+ok "it ends well" test $status = 0
+ok "the logs say how it was stepped" test "$(how "$scratch/log.2")" != "$(how "$scratch/log.3")"
+ok "a run with that replays the fast one to the same bits" again "$scratch/log.2"
+ok "and the accurate one" again "$scratch/log.3"
+scene=("${plain[@]}")
+
 # --- other scenes, and a window that ends by itself
 next_log() { test -s "$scratch/log.2"; }
 start --record log --hash

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+
+#include "hud/parts.hpp"
+
+// A box at the lower left: the track with its notches, and lines below.
+namespace hud {
+namespace {
+
+// All in pixels at scale 1.
+constexpr float WIDE = 300;
+constexpr float TRACK = 20; // height
+constexpr float NOTCH = 3;  // radius
+constexpr float THUMB = 7;
+
+struct Track {
+    ImVec2 low; // of the box
+    ImVec2 size;
+    float left, right, y;
+};
+
+Track track_of(const PageSlider& slider, ImVec2 size) {
+    Track track;
+    const float lines = static_cast<float>(1 + slider.lines);
+    track.size = ImVec2((WIDE + 2 * PADDING) * scale, (lines * LINE + TRACK + 2 * PADDING) * scale);
+    track.low = ImVec2(MARGIN * scale, size.y - MARGIN * scale - track.size.y);
+    track.left = track.low.x + PADDING * scale;
+    track.right = track.left + WIDE * scale;
+    track.y = track.low.y + (PADDING + LINE + TRACK / 2) * scale;
+    return track;
+}
+
+float notch_x(const PageSlider& slider, const Track& track, int notch) {
+    const int last = std::max(slider.notches - 1, 1);
+    return track.left +
+           (track.right - track.left) * static_cast<float>(notch - 1) / static_cast<float>(last);
+}
+
+} // namespace
+
+void draw_slider(const PageSlider& slider, ImVec2 size) {
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    const Track track = track_of(slider, size);
+    const float top = track.low.y + PADDING * scale;
+    box(track.low, track.size, GLASS);
+    text(track.left, top, TITLE, "fast");
+    text(track.right - width_of("accurate"), top, TITLE, "accurate");
+    list->AddLine(ImVec2(track.left, track.y), ImVec2(track.right, track.y), LABEL, scale);
+    for (int k = 1; k <= slider.notches; k++)
+        list->AddCircleFilled(ImVec2(notch_x(slider, track, k), track.y), NOTCH * scale, LABEL);
+    if (slider.at > 0)
+        list->AddCircleFilled(ImVec2(notch_x(slider, track, slider.at), track.y), THUMB * scale,
+                              TRUTH);
+    for (int k = 0; k < slider.lines; k++)
+        text(track.left, top + (LINE * static_cast<float>(k + 1) + TRACK) * scale, VALUE,
+             slider.line[k]);
+}
+
+int slider_notch(const PageSlider& slider, ImVec2 size, ImVec2 point) {
+    const Track track = track_of(slider, size);
+    const float reach = PADDING * scale;
+    if (slider.notches == 0 || std::fabs(point.y - track.y) > reach ||
+        point.x < track.left - reach || point.x > track.right + reach)
+        return 0;
+    const float part = (point.x - track.left) / (track.right - track.left);
+    const float notch = std::round(part * static_cast<float>(slider.notches - 1));
+    return 1 + std::clamp(static_cast<int>(notch), 0, slider.notches - 1);
+}
+
+} // namespace hud
