@@ -34,8 +34,8 @@ void lab_page_start(LabPage* lab, const World* world) {
     lab->since = lab->timed ? stages_now() : 0;
 }
 
-void lab_page_step(LabPage* lab, const World* world, long every) {
-    const double ms = lab->timed ? stages_now() - lab->since : 0;
+void lab_page_step(LabPage* lab, const World* world, long every, double less) {
+    const double ms = lab->timed ? stages_now() - lab->since - less : 0;
     slider_step(&lab->slider, world, ms);
     lab->spent += ms;
     lab->steps++;

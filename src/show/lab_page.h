@@ -31,8 +31,9 @@ void lab_page_begin(LabPage* lab);
 /// Steps begin now, which nothing but they will take time from.
 void lab_page_start(LabPage* lab, const World* world);
 
-/// After each step. every: steps between two points of a plot.
-void lab_page_step(LabPage* lab, const World* world, long every);
+/// After each step. every: steps between two points of a plot; less: time that was not the step's
+/// [ms].
+void lab_page_step(LabPage* lab, const World* world, long every, double less);
 
 /// Go on with the map for so many parts, and for so long. [ms]
 void lab_page_work(LabPage* lab, double parts, double ms);

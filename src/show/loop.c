@@ -57,15 +57,21 @@ static long steps_a_frame(const App* app) {
     return steps > 1 ? lround(steps) : 1;
 }
 
+/// Time of the ghost's steps, which are not the scene's. [ms]
+static double ghost_ms(const App* app) {
+    return app->session.ghost ? 1e3 * app->session.ghost->ghost_spent : 0;
+}
+
 static bool advance(App* app, double elapsed, Fault* fault) {
     long due = pacer_due(&app->pacer, elapsed);
     if (app->lab)
         lab_page_start(app->lab, app->world);
     for (; due > 0 && app->world->clock < app->last && !app->output.late(app->output.self); due--) {
+        const double before = ghost_ms(app);
         if (!session_step(&app->session, fault))
             return false;
         if (app->lab)
-            lab_page_step(app->lab, app->world, steps_a_frame(app));
+            lab_page_step(app->lab, app->world, steps_a_frame(app), ghost_ms(app) - before);
     }
     repeat_notice(app);
     return true;

@@ -8,7 +8,7 @@ enum { EVERY = 4 }; ///< steps between two points
 static void step(LabPage* lab, World* world, int count) {
     for (int n = 0; n < count; n++) {
         world_step(world);
-        lab_page_step(lab, world, EVERY);
+        lab_page_step(lab, world, EVERY, 0);
     }
 }
 
@@ -158,7 +158,7 @@ static void the_dot_ends_on_the_curve(void** state) {
     lab_page_start(lab, &world);
     while (world_time(&world) < 0.4) {
         world_step(&world);
-        lab_page_step(lab, &world, 1);
+        lab_page_step(lab, &world, 1, 0);
     }
     const Page* page = lab_page_take(lab, &world, false, 0);
     assert_true(page->has_curve);
