@@ -30,6 +30,11 @@ Track track_of(const PageSlider& slider, ImVec2 size) {
     return track;
 }
 
+// A small picture has no room for it beside the page.
+bool fits(const Track& track, ImVec2 size) {
+    return size.x >= 1.9f * track.size.x && size.y >= 2 * track.size.y;
+}
+
 float notch_x(const PageSlider& slider, const Track& track, int notch) {
     const int last = std::max(slider.notches - 1, 1);
     return track.left +
@@ -41,6 +46,8 @@ float notch_x(const PageSlider& slider, const Track& track, int notch) {
 void draw_slider(const PageSlider& slider, ImVec2 size) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const Track track = track_of(slider, size);
+    if (!fits(track, size))
+        return;
     const float top = track.low.y + PADDING * scale;
     box(track.low, track.size, GLASS);
     text(track.left, top, TITLE, "fast");
@@ -59,7 +66,7 @@ void draw_slider(const PageSlider& slider, ImVec2 size) {
 int slider_notch(const PageSlider& slider, ImVec2 size, ImVec2 point) {
     const Track track = track_of(slider, size);
     const float reach = PADDING * scale;
-    if (slider.notches == 0 || std::fabs(point.y - track.y) > reach ||
+    if (!fits(track, size) || slider.notches == 0 || std::fabs(point.y - track.y) > reach ||
         point.x < track.left - reach || point.x > track.right + reach)
         return 0;
     const float part = (point.x - track.left) / (track.right - track.left);
