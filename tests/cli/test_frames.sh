@@ -77,7 +77,7 @@ for name in without with again; do
     render "$scratch/lab-$name.png" 1 "${page[@]}" --hash --size 640x480 && cat "$scratch/hash" >"$scratch/lab-$name"
 done
 right() { convert "$1" -gravity east -crop 45%x100%+0+0 +repage -format '%#' info:; }
-left() { convert "$1" -gravity west -crop 50%x100%+0+0 +repage -format '%#' info:; }
+left() { convert "$1" -gravity northwest -crop 50%x60%+0+0 +repage -format "%#" info:; } # above the slider
 ok "the lab's page is drawn" test "$(right "$scratch/lab-with.png")" != "$(right "$scratch/lab-without.png")"
 ok "and leaves the rest alone" test "$(left "$scratch/lab-with.png")" = "$(left "$scratch/lab-without.png")"
 ok "the same input draws the same page" cmp "$scratch/lab-with.png" "$scratch/lab-again.png"
