@@ -17,6 +17,7 @@ declare -A may=(
     [draw]="base view draw"
     [hud]="base view hud"
     [show]="base world lab view draw hud show"
+    [cli]="base mesh body force solve world lab view show cli"
 )
 # a library's folders, or the one file of a folder that may see it
 declare -A library=(

@@ -1,0 +1,84 @@
+#include "cli/open.h"
+
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "world/place.h"
+
+static const double auto_budget = 8; ///< half a frame, the other half draws [ms]
+
+char** open_arguments;
+
+bool open_other(const char* program, Fault* fault) {
+    char path[512];
+    if (!place_sibling(program, path, fault))
+        return false;
+    execv(path, open_arguments);
+    return fault_set(fault, path, "cannot be started: %s", strerror(errno));
+}
+
+bool open_advice(const Options* options, AdviseOptions* advise, Fault* fault) {
+    *advise = (AdviseOptions){.scene = options->target ? options->target : "party",
+                              .set = options->set,
+                              .set_count = options->set_count,
+                              .fresh = options->fresh,
+                              .out = options->out};
+    return options_quantity(options->error, "--error", "%", 0.01, &advise->error, fault) &&
+           options_quantity(options->budget, "--budget", "ms", 1, &advise->ms, fault);
+}
+
+static bool all_sets(const Options* options, const char* method, Sets* sets, Fault* fault) {
+    sets->count = options->set_count;
+    sets->advised.count = 0;
+    memcpy(sets->set, options->set, sizeof options->set);
+    if (options->advised) {
+        AdviseOptions advise;
+        if (!open_advice(options, &advise, fault))
+            return false;
+        if (advise.error == 0 && advise.ms == 0)
+            advise.ms = auto_budget;
+        if (!advise_auto(&advise, &sets->advised, fault))
+            return false;
+    }
+    for (int k = 0; k < sets->advised.count; k++)
+        sets->set[sets->count++].text = sets->advised.text[k];
+    if (method) {
+        snprintf(sets->method, sizeof sets->method, "method=%s", method);
+        sets->set[sets->count++].text = sets->method;
+    }
+    return true;
+}
+
+/// Read the scene and open its world, in the precision that it asks for; with a method of its own,
+/// or as it is.
+static bool open_copy(const Options* options, const char* method, Sets* sets, World* world,
+                      Fault* fault) {
+    WorldDef def;
+    const char* target = options->target ? options->target : "party";
+    if (!all_sets(options, method, sets, fault) ||
+        !scene_load(target, sets->set, sets->count, &def, fault))
+        return false;
+
+    const bool is_double = sizeof(real) == sizeof(double);
+    if (def.precision != PRECISION_ANY && (def.precision == PRECISION_DOUBLE) != is_double) {
+        scene_free(&def);
+        return open_other(is_double ? "balloon" : "balloon-double", fault);
+    }
+    return world_open(world, &def, fault);
+}
+
+bool open_world(const Options* options, World* world, Fault* fault) {
+    Sets sets;
+    return open_copy(options, NULL, &sets, world, fault);
+}
+
+bool open_pair(const Options* options, Sets* sets, World* world, Ghost* ghost, Fault* fault) {
+    Sets other;
+    if (!open_copy(options, NULL, sets, world, fault))
+        return false;
+    if (!options->compare || open_copy(options, options->compare, &other, &ghost->world, fault))
+        return true;
+    world_close(world);
+    return false;
+}

@@ -1,0 +1,94 @@
+#include <stdio.h>
+
+#include "cli/open.h"
+#include "cli/verb.h"
+#include "show/run.h"
+#include "show/show.h"
+
+static bool show_options(const Options* options, const Sets* sets, const World* world, Ghost* ghost,
+                         ShowOptions* show, Fault* fault) {
+    *show = show_options_default();
+    show->out = options->out ? options->out : "out";
+    show->input = options->input;
+    show->record = options->record;
+    show->mode = options->mode;
+    show->set = sets->set;
+    show->set_count = sets->count;
+    show->quiet = options->quiet;
+    show->time = options->time;
+    show->overlay = options->overlay;
+    show->compare = options->compare;
+    show->ghost = options->compare ? ghost : NULL;
+    show->lab = options->lab;
+    if (options->size &&
+        (sscanf(options->size, "%dx%d", &show->width, &show->height) != 2 || show->width < 16 ||
+         show->height < 16 || show->width > 16384 || show->height > 16384))
+        return fault_set(fault, "--size", "'%s' is not a size such as 1280x720", options->size);
+    const double given = world->def.seconds > 0 ? world->def.seconds : 10;
+    return options_number(options->seconds, "--seconds", given, &show->seconds, fault) &&
+           options_number(options->fps, "--fps", 60, &show->fps, fault);
+}
+
+static void print_hash(const World* world) {
+    printf("%016llx\n", (unsigned long long)world_hash(world));
+}
+
+bool verb_play(const Options* options, Fault* fault) {
+    World world;
+    ShowOptions show;
+    Ghost ghost = {0};
+    Sets sets;
+    if (!open_pair(options, &sets, &world, &ghost, fault))
+        return false;
+    bool good = show_options(options, &sets, &world, &ghost, &show, fault);
+    show.overlay = true;
+    if (!options->seconds) // a window stays open
+        show.seconds = 0;
+    good = good && show_play(&world, &show, fault);
+    if (good && options->hash)
+        print_hash(&world);
+    world_close(&world);
+    world_close(&ghost.world);
+    return good;
+}
+
+bool verb_render(const Options* options, Fault* fault) {
+    World world;
+    ShowOptions show;
+    Ghost ghost = {0};
+    Sets sets;
+    if (!open_pair(options, &sets, &world, &ghost, fault))
+        return false;
+    const bool good = show_options(options, &sets, &world, &ghost, &show, fault) &&
+                      show_render(&world, &show, fault);
+    if (good && options->hash)
+        print_hash(&world);
+    world_close(&world);
+    world_close(&ghost.world);
+    return good;
+}
+
+bool verb_run(const Options* options, Fault* fault) {
+    World world;
+    Ghost ghost = {0};
+    Sets sets;
+    RunOptions run_options = {.csv = options->csv,
+                              .obj = options->obj,
+                              .input = options->input,
+                              .record = options->record,
+                              .time = options->time,
+                              .ghost = options->compare ? &ghost : NULL,
+                              .quiet = options->quiet};
+    if (!open_pair(options, &sets, &world, &ghost, fault))
+        return false;
+    const double given = world.def.seconds > 0 ? world.def.seconds : 10;
+    const bool good =
+        options_number(options->seconds, "--seconds", given, &run_options.seconds, fault) &&
+        options_number(options->fps, "--fps", 60, &run_options.fps, fault) &&
+        run(&world, &run_options, fault);
+    if (good && options->hash)
+        print_hash(&world);
+    world_close(&world);
+    world_close(&ghost.world);
+    return good;
+}
