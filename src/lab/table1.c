@@ -87,6 +87,13 @@ static bool run_row(int row, int effort, int frames, Fault* fault) {
     Sum sum;
     play(&world, frames, &sum);
     const double ms = 1e3 * sum.seconds / sum.frames;
+    if (!(sum.worst > 0)) { // no time of such a run is worth anything
+        printf("%-18s %8d %8d went bad: an element has turned inside out\n", row_table[row].model,
+               world.balloon[0].body.count, world.balloon[0].body.membrane.count);
+        fflush(stdout);
+        world_close(&world);
+        return true;
+    }
     printf("%-18s %8d %8d %7d %9.1f %9.1f %7.1f %7.1f %9.1f %+14.2e %8.4f\n", row_table[row].model,
            world.balloon[0].body.count, world.balloon[0].body.membrane.count, sum.frames, ms,
            row_table[row].paper, row_table[row].paper / ms, (double)sum.iterations / sum.frames,
