@@ -29,8 +29,13 @@ static bool show_options(const Options* options, const Sets* sets, const World* 
            options_number(options->fps, "--fps", 60, &show->fps, fault);
 }
 
-static void print_hash(const World* world) {
-    printf("%016llx\n", (unsigned long long)world_hash(world));
+/// The hash if it is asked for; the world and its ghost are closed.
+static bool finish(const Options* options, World* world, Ghost* ghost, bool good) {
+    if (good && options->hash)
+        printf("%016llx\n", (unsigned long long)world_hash(world));
+    world_close(world);
+    world_close(&ghost->world);
+    return good;
 }
 
 bool verb_play(const Options* options, Fault* fault) {
@@ -45,11 +50,7 @@ bool verb_play(const Options* options, Fault* fault) {
     if (!options->seconds) // a window stays open
         show.seconds = 0;
     good = good && show_play(&world, &show, fault);
-    if (good && options->hash)
-        print_hash(&world);
-    world_close(&world);
-    world_close(&ghost.world);
-    return good;
+    return finish(options, &world, &ghost, good);
 }
 
 bool verb_render(const Options* options, Fault* fault) {
@@ -61,11 +62,7 @@ bool verb_render(const Options* options, Fault* fault) {
         return false;
     const bool good = show_options(options, &sets, &world, &ghost, &show, fault) &&
                       show_render(&world, &show, fault);
-    if (good && options->hash)
-        print_hash(&world);
-    world_close(&world);
-    world_close(&ghost.world);
-    return good;
+    return finish(options, &world, &ghost, good);
 }
 
 bool verb_run(const Options* options, Fault* fault) {
@@ -86,9 +83,5 @@ bool verb_run(const Options* options, Fault* fault) {
         options_number(options->seconds, "--seconds", given, &run_options.seconds, fault) &&
         options_number(options->fps, "--fps", 60, &run_options.fps, fault) &&
         run(&world, &run_options, fault);
-    if (good && options->hash)
-        print_hash(&world);
-    world_close(&world);
-    world_close(&ghost.world);
-    return good;
+    return finish(options, &world, &ghost, good);
 }

@@ -2,8 +2,8 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "draw/balls.h"
 #include "draw/floor.h"
@@ -26,9 +26,7 @@ struct Renderer {
 };
 
 static double now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return 1e3 * (double)time.tv_sec + 1e-6 * (double)time.tv_nsec;
+    return 1e3 * clock_seconds(CLOCK_MONOTONIC);
 }
 
 static bool version_suffices(Fault* fault) {

@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "lab/bench.h"
 #include "lab/peer_world.h"
@@ -46,9 +46,7 @@ typedef struct Cost {
 } Cost;
 
 static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+    return 1e3 * clock_seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
 static int rising(const void* a, const void* b) {

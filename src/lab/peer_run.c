@@ -2,8 +2,8 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "base/memory.h"
 #include "force/inflation.h"
 #include "mesh/measure.h"
@@ -27,12 +27,6 @@ typedef struct Pair {
     double first_area;
     double spent; ///< CPU time of the peer's steps [s]
 } Pair;
-
-static double cpu_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static void show(Pair* pair) {
     World* world = pair->world;
@@ -58,9 +52,9 @@ static void step(Pair* pair, double pressure, double h) {
     peer_set_pressure(pair->peer, peer_pressure(&balloon->mesh, pressure, peer_volume(pair->peer),
                                                 measure_area(&balloon->mesh, balloon->body.x),
                                                 pair->first_area));
-    const double start = cpu_seconds();
+    const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
     peer_step(pair->peer, h);
-    pair->spent += cpu_seconds() - start;
+    pair->spent += clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
     show(pair);
 }
 

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/crew.h"
 #include "base/memory.h"
 #include "lab/bench.h"
@@ -40,12 +40,6 @@ static const SpeedCase case_table[] = {
 };
 enum { CASES = sizeof case_table / sizeof *case_table };
 
-static double now(clockid_t clock) {
-    struct timespec t;
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static int rising(const void* a, const void* b) {
     const double x = *(const double*)a, y = *(const double*)b;
     return (x > y) - (x < y);
@@ -64,15 +58,15 @@ static Times times_of(double* seconds, int count) {
 /// Time of one call of `step`, CPU time of this thread.
 static Times time_steps(void (*step)(void* self), void* self, int rounds) {
     double second[ROUNDS];
-    const double before = now(CLOCK_THREAD_CPUTIME_ID);
+    const double before = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
     step(self); // warms up, and says how many make a round
-    const double one = now(CLOCK_THREAD_CPUTIME_ID) - before;
+    const double one = clock_seconds(CLOCK_THREAD_CPUTIME_ID) - before;
     const int steps = one < round_seconds ? (int)(round_seconds / one) : 1;
     for (int r = 0; r < rounds; r++) {
-        const double start = now(CLOCK_THREAD_CPUTIME_ID);
+        const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
         for (int k = 0; k < steps; k++)
             step(self);
-        second[r] = (now(CLOCK_THREAD_CPUTIME_ID) - start) / steps;
+        second[r] = (clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start) / steps;
     }
     return times_of(second, rounds);
 }
@@ -109,15 +103,15 @@ static Machine measure_machine(Figures* figures, int rounds) {
     real *a = new_array(real, STREAM), *b = new_array(real, STREAM), *c = new_array(real, STREAM);
     limits()->triad(a, b, c, 3, STREAM);
     for (int r = 0; r < rounds; r++) {
-        const double start = now(CLOCK_THREAD_CPUTIME_ID);
+        const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
         limits()->triad(a, b, c, 3, STREAM);
-        second[r] = now(CLOCK_THREAD_CPUTIME_ID) - start;
+        second[r] = clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
     }
     const Times stream = rate(times_of(second, rounds), 3.0 * STREAM * sizeof(real));
     for (int r = 0; r < rounds; r++) {
-        const double start = now(CLOCK_THREAD_CPUTIME_ID);
+        const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
         count = limits()->multiply_add(1000000, a);
-        second[r] = now(CLOCK_THREAD_CPUTIME_ID) - start;
+        second[r] = clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
     }
     const Times work = rate(times_of(second, rounds), count);
     add(figures, "machine", 0, "bandwidth", "GB/s", scaled(stream, 1e-9), 0);
@@ -182,9 +176,9 @@ static void measure_threads(Figures* figures, const char* name, World* world) {
     double second[ROUNDS];
     crew_set(2);
     for (int r = 0; r < ROUNDS; r++) {
-        const double start = now(CLOCK_MONOTONIC);
+        const double start = clock_seconds(CLOCK_MONOTONIC);
         world_step(world);
-        second[r] = now(CLOCK_MONOTONIC) - start;
+        second[r] = clock_seconds(CLOCK_MONOTONIC) - start;
     }
     crew_set(1);
     add(figures, name, world->balloon[0].body.count, "step, 2 threads", "us",
@@ -246,11 +240,11 @@ static bool measure_load(Figures* figures, bool quick, Fault* fault) {
     double second[LOADS];
     for (int k = 0; k < LOADS; k++) {
         WorldDef def;
-        const double start = now(CLOCK_MONOTONIC);
+        const double start = clock_seconds(CLOCK_MONOTONIC);
         if (!scene_load(path, NULL, 0, &def, fault) || !world_open(&world, &def, fault))
             return false;
         world_step(&world);
-        second[k] = now(CLOCK_MONOTONIC) - start;
+        second[k] = clock_seconds(CLOCK_MONOTONIC) - start;
         world_close(&world);
     }
     remove(path);

@@ -7,8 +7,8 @@
 /// p0 all at once on a skin at rest is a blow that buckles a skin with folds for good, so the gas
 /// begins at nothing and rises to its start in as many frames, which are made but not counted.
 #include <stdio.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "body/membrane.h"
 #include "lab/bench.h"
 #include "world/world.h"
@@ -47,12 +47,6 @@ typedef struct Sum {
     double worst;  ///< and the element's
 } Sum;
 
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 static double farther(double a, double b) {
     return fabs(a - 1) > fabs(b - 1) ? a : b;
 }
@@ -63,9 +57,9 @@ static void play(World* world, int frames, Sum* sum) {
     for (int frame = 0; frame < frames; frame++)
         world_step(world);
     for (; sum->frames < frames && !world->blowup.halted; sum->frames++) {
-        const double start = now();
+        const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
         world_step(world);
-        sum->seconds += now() - start;
+        sum->seconds += clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
         sum->iterations += balloon->effort.iterations;
         sum->products += balloon->effort.products;
         const VolumeRatio ratio = membrane_volume_ratio(&balloon->body.membrane, balloon->body.x);

@@ -1,21 +1,16 @@
 #include "show/ghost.h"
 
 #include <math.h>
-#include <time.h>
 
-static double cpu_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+#include "base/clock.h"
 
 void ghost_step(Ghost* ghost, World* world) {
-    const double start = cpu_seconds();
+    const double start = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
     world_step(world);
-    const double middle = cpu_seconds();
+    const double middle = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
     world_step(&ghost->world);
     ghost->spent += middle - start;
-    ghost->ghost_spent += cpu_seconds() - middle;
+    ghost->ghost_spent += clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - middle;
 }
 
 double ghost_distance(const Ghost* ghost, const World* world) {

@@ -2,27 +2,21 @@
 
 #include <errno.h>
 #include <string.h>
-#include <time.h>
 
+#include "base/clock.h"
 #include "show/pacer.h"
 #include "show/session.h"
 #include "world/fails.h"
 #include "world/probe.h"
 
-static double cpu_seconds(void) {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /// Step until the world's clock reads `until` or the state is bad; adds the CPU time to `spent`.
 static bool advance(Session* session, long until, bool quiet, double* spent, Fault* fault) {
     World* world = session->world;
-    const double start = cpu_seconds();
+    const double start = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
     bool good = true;
     while (good && world->clock < until && !world->blowup.halted && !world->notice[0])
         good = session_step(session, fault);
-    *spent += cpu_seconds() - start;
+    *spent += clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - start;
     if (session->ghost) // its steps are its own
         *spent = session->ghost->spent;
 

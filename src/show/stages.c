@@ -1,15 +1,14 @@
 #include "show/stages.h"
 
 #include <stdio.h>
-#include <time.h>
+
+#include "base/clock.h"
 
 static const char* const stage_name[STAGES] = {"steps", "picture", "upload",  "shadow",
                                                "scene", "resolve", "overlay", "present"};
 
 double stages_now(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return 1e3 * (double)time.tv_sec + 1e-6 * (double)time.tv_nsec;
+    return 1e3 * clock_seconds(CLOCK_MONOTONIC);
 }
 
 void stages_begin(Stages* stages) {
