@@ -35,6 +35,7 @@ static const Option option_table[] = {
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
     {"--threads",   "N",        "threads that share a step, same bits; 1",         TEXT(threads)},
     {"--keep",      NULL,       "bench: keep these figures, to compare later ones with", FLAG(keep)},
+    {"--only",      "WORD",     "bench table1: the models with it in their names", TEXT(only)},
     {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement",  FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is; needs: every scene",                    FLAG(all)},
     {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", TEXT(fit)},

@@ -24,6 +24,7 @@ typedef struct Options {
     const char* compare;
     const char* error;
     const char* budget;
+    const char* only;
     bool hash, time, quiet, overlay, lab, keep, quick, all, fresh, advised;
     SceneSet set[SETS_MOST];
     int set_count;

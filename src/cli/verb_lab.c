@@ -46,8 +46,10 @@ bool verb_bench(const Options* options, Fault* fault) {
     const BenchCase* one = options->target ? bench_find(options->target) : NULL;
     if (options->target && !one)
         return fault_set(fault, options->target, "no such bench; see balloon list");
-    const BenchOptions bench = {
-        .quick = options->quick, .keep = options->keep, .out = options->out ? options->out : "out"};
+    const BenchOptions bench = {.quick = options->quick,
+                                .keep = options->keep,
+                                .only = options->only,
+                                .out = options->out ? options->out : "out"};
     for (int k = 0; k < bench_count; k++)
         if ((!one || one == bench_table[k]) && !bench_table[k]->run(&bench, fault))
             return false;

@@ -5,9 +5,10 @@
 #include "base/fault.h"
 
 typedef struct BenchOptions {
-    bool quick;      ///< a thinned measurement
-    bool keep;       ///< keep the figures, for later runs to be compared with
-    const char* out; ///< folder for a CSV
+    bool quick;       ///< a thinned measurement
+    bool keep;        ///< keep the figures, for later runs to be compared with
+    const char* only; ///< what a row's name must have in it, or NULL
+    const char* out;  ///< folder for a CSV
 } BenchOptions;
 
 typedef struct BenchCase {

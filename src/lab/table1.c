@@ -7,6 +7,7 @@
 /// p0 all at once on a skin at rest is a blow that buckles a skin with folds for good, so the gas
 /// begins at nothing and rises to its start in as many frames, which are made but not counted.
 #include <stdio.h>
+#include <string.h>
 
 #include "base/clock.h"
 #include "body/membrane.h"
@@ -105,7 +106,8 @@ static bool run(const BenchOptions* options, Fault* fault) {
                "model", "vertices", "elements", "frames", "ms/frame", "paper's", "times", "Newton",
                "products", "rubber - 1", "worst");
         for (int row = 0; row < ROWS; row++)
-            if (!run_row(row, effort, options->quick ? FRAMES_QUICK : FRAMES, fault))
+            if ((!options->only || strstr(row_table[row].model, options->only)) &&
+                !run_row(row, effort, options->quick ? FRAMES_QUICK : FRAMES, fault))
                 return false;
     }
     return true;
