@@ -11,7 +11,7 @@ static const double enough = 1e-12; ///< of the rubber's volume [1]
 enum { PASSES_MOST = 20 };          ///< two or three are usual
 
 void preserve_open(Preserve* preserve, const Body* body) {
-    *preserve = (Preserve){0};
+    *preserve = (Preserve){.inverted = NONE};
     const Membrane* membrane = &body->membrane;
     if (membrane->count == 0 || membrane->rubber.rule == VOLUME_LOCAL)
         return;
@@ -81,8 +81,12 @@ static void preserve_sum(Preserve* preserve, Body* body, double h) {
         body->v[i] += preserve->moved[i] / (real)h;
         body->x[i] += preserve->moved[i];
     }
-    for (int e = 0; e < membrane->count; e++)
+    preserve->inverted = NONE;
+    for (int e = 0; e < membrane->count; e++) {
         membrane->thickness[e] = (real)preserve->thickness[e];
+        if (!(membrane->thickness[e] > 0))
+            preserve->inverted = e;
+    }
 }
 
 void preserve_volume(Preserve* preserve, Body* body, double h) {

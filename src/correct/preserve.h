@@ -22,6 +22,7 @@ typedef struct Preserve {
     double* share;     ///< [elements] membrane_share
     double* thickness; ///< [elements] on the way [m]
     int passes;        ///< that the last step took
+    int inverted;      ///< element whose thickness the last step took to nothing or below, or NONE
 } Preserve;
 
 /// The loops over elements, eight side by side, in as many compilations as there are kinds of

@@ -154,6 +154,20 @@ static void halt_without_room(World* world, int b) {
     put_back(world);
 }
 
+/// The constraint on the sum asks nothing of single elements.
+static void halt_inverted(World* world, int b, int element) {
+    const Balloon* balloon = &world->balloon[b];
+    const int *corner = balloon->body.membrane.corner[element], *loaded = balloon->mesh.loaded;
+    halt(world, b, loaded[corner[0]]);
+    snprintf(world->blowup.text, sizeof world->blowup.text,
+             "balloon %d (%s): the element of particles %d, %d and %d has no thickness left in "
+             "step %ld, at %.4g s, for 'volume: global' keeps the sum alone; the state of step "
+             "%ld is back",
+             b, balloon->def->model, loaded[corner[0]], loaded[corner[1]], loaded[corner[2]],
+             world->step_count, world_time(world), world->good_step);
+    put_back(world);
+}
+
 void guard_check(World* world) {
     const double h = world->drift;
     for (int b = 0; b < world->balloon_count; b++) {
@@ -162,6 +176,10 @@ void guard_check(World* world) {
             continue;
         if (has_no_room(&balloon->body)) {
             halt_without_room(world, b);
+            return;
+        }
+        if (balloon->preserve.inverted != NONE) {
+            halt_inverted(world, b, balloon->preserve.inverted);
             return;
         }
         const int bad = bad_particle(&balloon->body, h);

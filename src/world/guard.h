@@ -8,7 +8,8 @@
 ///
 /// A state is bad when a particle's position is not finite, or when in one drift it moves by more
 /// than ten times the balloon's first size against the balloon's mean: found at that step in every
-/// mode. So is a ball that is not finite, and a gas whose volume is down to nothing. The last good
+/// mode. So is a ball that is not finite, a gas whose volume is down to nothing, and an element of
+/// rubber that has no thickness left. The last good
 /// state, at most GUARD_INTERVAL steps old, is put back and the world halts.
 #ifndef BALLOON_WORLD_GUARD_H
 #define BALLOON_WORLD_GUARD_H
