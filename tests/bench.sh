@@ -17,5 +17,5 @@ for scene in assets/scenes/*.yaml; do
             'BEGIN { printf "%-24s %-7s %10d %16.3f %10.1f\n", scene, state == "" ? "float" : "double", n, ms, 1000 / ms }'
     done
 done
-# ns per particle, spring and triangle as skins grow, against the figures kept on this machine
-"$build/balloon" bench speed --out out
+# all that is timed, against the figures kept on this machine
+"$build/balloon" bench --out out

@@ -1,9 +1,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "cli/bench_table.h"
 #include "cli/open.h"
 #include "cli/verb.h"
-#include "lab/bench.h"
 #include "lab/chart.h"
 #include "lab/needs.h"
 #include "lab/peer_run.h"
@@ -46,14 +46,18 @@ bool verb_bench(const Options* options, Fault* fault) {
     const BenchCase* one = options->target ? bench_find(options->target) : NULL;
     if (options->target && !one)
         return fault_set(fault, options->target, "no such bench; see balloon list");
-    const BenchOptions bench = {.quick = options->quick,
-                                .keep = options->keep,
-                                .only = options->only,
-                                .out = options->out ? options->out : "out"};
-    for (int k = 0; k < bench_count; k++)
-        if ((!one || one == bench_table[k]) && !bench_table[k]->run(&bench, fault))
-            return false;
-    return true;
+    const char* name = one ? one->name : "all";
+    Figures figures;
+    figures_open(&figures, name);
+    const BenchOptions bench = {
+        .quick = options->quick, .only = options->only, .figures = &figures};
+    bool good = true;
+    for (int k = 0; k < bench_count && good; k++)
+        if (one ? one == bench_table[k] : bench_table[k]->timed)
+            good = bench_table[k]->run(&bench, fault);
+    return figures_close(&figures, name, options->out ? options->out : "out", options->keep,
+                         fault) &&
+           good;
 }
 
 /// A push of 1e-6 needs a state of double.

@@ -1,9 +1,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "cli/bench_table.h"
 #include "cli/verb.h"
 #include "force/force.h"
-#include "lab/bench.h"
 #include "lab/chart_case.h"
 #include "mesh/load.h"
 #include "mesh/shape.h"

@@ -202,4 +202,8 @@ static bool run(const BenchOptions* options, Fault* fault) {
                      tally.kept, tally.asked, 100 * kept_least);
 }
 
-const BenchCase bench_advise = {"advise", "whether advice keeps its word on closed forms", run};
+const BenchCase bench_advise = {
+    .name = "advise",
+    .about = "whether advice keeps its word on closed forms",
+    .run = run,
+};

@@ -39,8 +39,8 @@ static const struct {
 
 /// One case's times [ms a step] and contacts.
 typedef struct Cost {
-    double step_median;
-    double contacts_min, contacts_median; ///< time of contacts alone; of the peer: of all the step
+    double step_min, step_median;
+    double contacts_min, contacts_median; ///< time of contacts alone; not of the peer
     int touching; ///< balls that touched, in the timed step where fewest did
     int contacts; ///< that pushed, in the last step; of the peer: points on balls
 } Cost;
@@ -182,10 +182,18 @@ static bool time_peer(int c, int quick, Cost* cost, Fault* fault) {
         cost->touching = touching < cost->touching ? touching : cost->touching;
     }
     cost->step_median = median(step, timed);
-    cost->contacts_min = step[0];
+    cost->step_min = step[0];
     free(step);
     peer_close(peer);
     return true;
+}
+
+static void add(Figures* figures, int c, int particles, const char* metric, double minimum,
+                double median) {
+    Figure figure = {.particles = particles, .minimum = minimum, .median = median, .unit = "ms"};
+    snprintf(figure.name, sizeof figure.name, "%s", case_table[c].name);
+    snprintf(figure.metric, sizeof figure.metric, "%s", metric);
+    figures_add(figures, &figure);
 }
 
 static bool run(const BenchOptions* options, Fault* fault) {
@@ -194,7 +202,7 @@ static bool run(const BenchOptions* options, Fault* fault) {
     printf("%-12s | %8s %8s %8s %17s %6s | %30s\n", "", "", "", "all of", "contacts alone", "", "");
     printf("%-12s | %8s %8s %8s %8s %8s %6s | %8s %8s %8s %8s\n", "balls", "touching", "contacts",
            "a step", "least", "median", "wanted", "Bullet's", "contacts", "a step", "beyond");
-    Cost none = {0};
+    Cost all_ours[CASES], all_peer[CASES];
     for (int c = 0; c < CASES; c++) {
         Cost ours, peer;
         if (!time_ours(c, options->quick, &ours, fault) ||
@@ -204,13 +212,20 @@ static bool run(const BenchOptions* options, Fault* fault) {
         if (touch && (ours.touching < case_table[c].spheres || peer.touching == 0))
             return fault_set(fault, "bench contact-cost", "not all of %s did: %d, Bullet's %d",
                              case_table[c].name, ours.touching, peer.touching);
-        if (c == 0)
-            none = peer;
+        all_ours[c] = ours;
+        all_peer[c] = peer;
         printf("%-12s | %8d %8d %8.3f %8.4f %8.4f %6g | %8d %8d %8.3f %8.3f\n", case_table[c].name,
                ours.touching, ours.contacts, ours.step_median, ours.contacts_min,
                ours.contacts_median, case_table[c].wanted, peer.touching, peer.contacts,
-               peer.step_median, peer.step_median - none.step_median);
+               peer.step_median, peer.step_median - all_peer[0].step_median);
         fflush(stdout);
+    }
+    figures_head(options->figures);
+    for (int c = 0; c < CASES; c++) {
+        const int n = 6 * side * side + 2;
+        add(options->figures, c, n, "contacts", all_ours[c].contacts_min,
+            all_ours[c].contacts_median);
+        add(options->figures, c, n, "Bullet's step", all_peer[c].step_min, all_peer[c].step_median);
     }
     return true;
 }
@@ -218,5 +233,6 @@ static bool run(const BenchOptions* options, Fault* fault) {
 const BenchCase bench_contact_cost = {
     .name = "contact-cost",
     .about = "time of contacts in a step, beside Bullet's own soft body",
+    .timed = true,
     .run = run,
 };

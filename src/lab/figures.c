@@ -63,13 +63,16 @@ static void read_kept(Figures* figures) {
 }
 
 void figures_open(Figures* figures, const char* bench) {
-    char machine[128];
     *figures = (Figures){.count = 0};
-    machine_name(machine);
-    kept_path(figures->kept_path, bench, machine);
+    machine_name(figures->machine);
+    kept_path(figures->kept_path, bench, figures->machine);
     read_kept(figures);
-    printf("%s, state of %s\n%-16s %9s  %-16s %12s %12s %-10s %9s %9s\n", machine, REAL_NAME,
-           "case", "particles", "metric", "minimum", "median", "unit", "of limit", "of kept");
+}
+
+void figures_head(const Figures* figures) {
+    printf("%s, state of %s\n%-18s %9s  %-16s %12s %12s %-10s %9s %9s\n", figures->machine,
+           REAL_NAME, "case", "particles", "metric", "minimum", "median", "unit", "of limit",
+           "of kept");
 }
 
 static double kept_minimum(const Figures* figures, const Figure* figure) {
@@ -85,7 +88,7 @@ static double kept_minimum(const Figures* figures, const Figure* figure) {
 void figures_add(Figures* figures, const Figure* figure) {
     push(&figures->figure, &figures->count, &figures->room, figure);
     const double kept = kept_minimum(figures, figure);
-    printf("%-16s %9d  %-16s %12.4g %12.4g %-10s", figure->name, figure->particles, figure->metric,
+    printf("%-18s %9d  %-16s %12.4g %12.4g %-10s", figure->name, figure->particles, figure->metric,
            figure->minimum, figure->median, figure->unit);
     if (figure->limit_share > 0)
         printf(" %8.1f%%", 100 * figure->limit_share);
@@ -95,6 +98,21 @@ void figures_add(Figures* figures, const Figure* figure) {
         printf(" %9.3f", figure->minimum / kept);
     printf("\n");
     fflush(stdout);
+}
+
+static int rising(const void* a, const void* b) {
+    const double x = *(const double*)a, y = *(const double*)b;
+    return (x > y) - (x < y);
+}
+
+void figures_add_samples(Figures* figures, const char* name, int particles, const char* metric,
+                         const char* unit, double* sample, int count) {
+    qsort(sample, (size_t)count, sizeof *sample, rising);
+    Figure figure = {.particles = particles, .minimum = sample[0], .median = sample[count / 2]};
+    snprintf(figure.name, sizeof figure.name, "%s", name);
+    snprintf(figure.metric, sizeof figure.metric, "%s", metric);
+    snprintf(figure.unit, sizeof figure.unit, "%s", unit);
+    figures_add(figures, &figure);
 }
 
 static bool write_csv(const Figures* figures, const char* path, Fault* fault) {
@@ -124,9 +142,12 @@ bool figures_close(Figures* figures, const char* bench, const char* folder, bool
                    Fault* fault) {
     char path[512];
     snprintf(path, sizeof path, "%s/bench-%s.csv", folder, bench);
-    make_folders(path);
-    bool good = write_csv(figures, path, fault);
-    if (good && (keep || figures->kept_count == 0)) {
+    bool good = true;
+    if (figures->count > 0) {
+        make_folders(path);
+        good = write_csv(figures, path, fault);
+    }
+    if (good && figures->count > 0 && (keep || figures->kept_count == 0)) {
         make_folders(figures->kept_path);
         good = write_csv(figures, figures->kept_path, fault);
         if (good)

@@ -19,18 +19,27 @@ typedef struct Figure {
 typedef struct Figures {
     int count, room;
     Figure* figure;
+    char machine[128];
     char kept_path[512];
     int kept_count;
     Figure* kept; ///< what was kept earlier
 } Figures;
 
-/// None yet, and what was kept of this bench. Prints the machine and the head of the table.
+/// None yet, and what was kept of this bench.
 void figures_open(Figures* figures, const char* bench);
+
+/// Print the machine and the head of the table.
+void figures_head(const Figures* figures);
 
 /// One more, and its line with the ratio to the kept one.
 void figures_add(Figures* figures, const Figure* figure);
 
-/// Write them to `folder`, and where none were kept or `keep` is said keep them.
+/// The least and the median of some samples, which it sorts.
+void figures_add_samples(Figures* figures, const char* name, int particles, const char* metric,
+                         const char* unit, double* sample, int count);
+
+/// Where there are any, write them to `folder`, and where none were kept or `keep` is said keep
+/// them.
 bool figures_close(Figures* figures, const char* bench, const char* folder, bool keep,
                    Fault* fault);
 

@@ -1,6 +1,7 @@
 /// What a step costs as skins grow: springs blown up by area, and rubber with gas in it, explicit,
-/// one thread, from 1,000 to a million particles; beside Bullet's own soft body of the same mesh,
-/// and beside what this machine's memory and arithmetic can do at most, measured in the same run.
+/// one thread, from 1,000 to a million particles; a second of rubber by implicit steps; beside
+/// Bullet's own soft body of the same mesh, and beside what this machine's memory and arithmetic
+/// can do at most, measured in the same run.
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,10 +11,12 @@
 #include "base/clock.h"
 #include "base/crew.h"
 #include "base/memory.h"
+#include "force/inflation.h"
 #include "lab/bench.h"
 #include "lab/figures.h"
 #include "lab/limit.h"
 #include "lab/peer_world.h"
+#include "lab/truth.h"
 #include "world/probe.h"
 
 enum { ROUNDS = 41, ROUNDS_QUICK = 9, SETS = 4, PEER_ROUNDS = 1 };
@@ -221,6 +224,36 @@ static bool measure_case(Figures* figures, const SpeedCase* c, int side, const M
     return true;
 }
 
+/// A whole second of the rubber balloon of 11,096 particles, blown up to twice its gas by implicit
+/// steps, and how far its pressure is then from the closed form's.
+static bool measure_second(Figures* figures, Fault* fault) {
+    enum { RUNS = 5, FRAMES = 60 };
+    static const SceneSet set[SETS] = {{"balloons.0.model=cube-sphere:43"},
+                                       {"method=newton"},
+                                       {"step=0.016666666666666666"},
+                                       {"seconds=1"}};
+    const TruthBalloon balloon = truth_balloon_default();
+    const double truth = truth_pressure(&balloon, truth_stretch_gas(&balloon, 2));
+    double second[RUNS], off = 0;
+    int n = 0;
+    for (int k = 0; k < RUNS; k++) {
+        WorldDef def;
+        World world;
+        if (!scene_load("sphere-gas", set, SETS, &def, fault) || !world_open(&world, &def, fault))
+            return false;
+        const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
+        for (int frame = 0; frame < FRAMES; frame++)
+            world_step(&world);
+        second[k] = 1e3 * (clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start);
+        off = fabs(inflation_pressure(&world.balloon[0].body) / truth - 1);
+        n = world.balloon[0].body.count;
+        world_close(&world);
+    }
+    figures_add_samples(figures, "rubber, newton", n, "a second", "ms", second, RUNS);
+    add(figures, "rubber, newton", n, "pressure off", "%", (Times){100 * off, 100 * off}, 0);
+    return true;
+}
+
 /// From a file of 100,000 quads to the first step, wall time.
 static bool measure_load(Figures* figures, bool quick, Fault* fault) {
     enum { LOADS = 5 };
@@ -255,15 +288,15 @@ static bool measure_load(Figures* figures, bool quick, Fault* fault) {
 
 static bool run(const BenchOptions* options, Fault* fault) {
     const int rounds = options->quick ? ROUNDS_QUICK : ROUNDS;
-    Figures figures;
-    figures_open(&figures, bench_speed.name);
-    const Machine machine = measure_machine(&figures, rounds);
+    figures_head(options->figures);
+    const Machine machine = measure_machine(options->figures, rounds);
     bool good = true;
     for (int c = 0; c < CASES; c++)
         for (int s = 0; good && s < (options->quick ? SIDES_QUICK : SIDES); s++)
-            good = measure_case(&figures, &case_table[c], side_table[s], &machine, rounds, fault);
-    good = good && measure_load(&figures, options->quick, fault);
-    return figures_close(&figures, bench_speed.name, options->out, options->keep, fault) && good;
+            good = measure_case(options->figures, &case_table[c], side_table[s], &machine, rounds,
+                                fault);
+    return good && measure_second(options->figures, fault) &&
+           measure_load(options->figures, options->quick, fault);
 }
 
 const BenchCase bench_speed = {
@@ -271,5 +304,6 @@ const BenchCase bench_speed = {
     .about =
         "a step of springs and of rubber, 1,000 to a million particles, beside Bullet's and the "
         "machine's limits",
+    .timed = true,
     .run = run,
 };

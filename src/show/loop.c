@@ -141,6 +141,8 @@ bool app_run(App* app, Fault* fault) {
         if (app->screenshot)
             app_screenshot(app);
     }
+    if (app->options->stages)
+        *app->options->stages = app->stages;
     if (app->options->time)
         stages_print(&app->stages);
     return true;

@@ -55,7 +55,8 @@ typedef struct Output {
 bool output_window(Output* output, const char* title, int width, int height, Fault* fault);
 
 typedef struct FramesDef {
-    const char* out; ///< a folder for frame-00000.png …, a .png of the last moment, or a video
+    const char* out; ///< a folder for frame-00000.png …, a .png of the last moment, or a video;
+                     ///< NULL: frames are made and read back, and nothing is written
     int width;
     int height;
     double fps;

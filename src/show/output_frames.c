@@ -13,7 +13,7 @@
 #include "show/png.h"
 #include "show/video.h"
 
-/// What becomes of a frame: a table of three.
+/// What becomes of a frame: a table of four.
 typedef struct Frames Frames;
 typedef struct Writer {
     bool (*open)(Frames* frames, Fault* fault);
@@ -107,11 +107,29 @@ static bool film_close(Frames* frames, bool whole, Fault* fault) {
     return whole;
 }
 
+// ---- nothing ----
+
+static bool nothing(Frames* frames, Fault* fault) {
+    (void)frames;
+    (void)fault;
+    return true;
+}
+
+static bool nothing_close(Frames* frames, bool whole, Fault* fault) {
+    (void)frames;
+    (void)fault;
+    return whole;
+}
+
 static const Writer folder = {folder_open, folder_add, folder_close};
 static const Writer still = {still_open, still_add, still_close};
 static const Writer film = {film_open, film_add, film_close};
 
+static const Writer none = {nothing, nothing, nothing_close};
+
 static const Writer* writer_for(const char* out) {
+    if (!out)
+        return &none;
     const char* dot = strrchr(out, '.');
     if (dot && strcmp(dot, ".png") == 0)
         return &still;

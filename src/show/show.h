@@ -6,13 +6,14 @@
 #define BALLOON_SHOW_SHOW_H
 
 #include "show/ghost.h"
+#include "show/stages.h"
 
 typedef struct ShowOptions {
     int width;           ///< [px]
     int height;          ///< [px]
     double fps;          ///< headless frames per simulated second
     double seconds;      ///< simulated time to show; 0: a window stays until it is closed
-    const char* out;     ///< headless: a folder, a .png, a video (show/output.h)
+    const char* out;     ///< headless: a folder, a .png, a video; NULL: pictures are only made
     const char* input;   ///< input log to be replayed; NULL: none
     const char* record;  ///< file for this session's input log; NULL: none. When the user goes on
                          ///< to other scenes, their logs are record.2, record.3, …
@@ -22,6 +23,7 @@ typedef struct ShowOptions {
     const char* screenshots; ///< folder for screenshots; NULL: where the user is
     const char* compare;     ///< method of a ghost beside the scene; NULL: none
     Ghost* ghost;            ///< with that method, the caller's; NULL: none
+    Stages* stages;          ///< where the stages of the last frames go; NULL: nowhere
     bool time;               ///< print the mean time of a frame's stages in the end
     bool quiet;              ///< no progress and notices on stderr
     bool lab;                ///< the lab's page is drawn

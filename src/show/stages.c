@@ -1,11 +1,12 @@
 #include "show/stages.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "base/clock.h"
 
-static const char* const stage_name[STAGES] = {"steps", "picture", "upload",  "shadow",
-                                               "scene", "resolve", "overlay", "present"};
+const char* const stage_name[STAGES] = {"steps", "picture", "upload",  "shadow",
+                                        "scene", "resolve", "overlay", "present"};
 
 double stages_now(void) {
     return 1e3 * clock_seconds(CLOCK_MONOTONIC);
@@ -14,19 +15,25 @@ double stages_now(void) {
 void stages_begin(Stages* stages) {
     stages->since = stages_now();
     stages->frames++;
+    memset(stages->kept[stages->frames % STAGES_KEPT], 0, sizeof *stages->kept);
+}
+
+static void add(Stages* stages, Stage stage, double ms) {
+    stages->ms[stage] += ms;
+    stages->kept[stages->frames % STAGES_KEPT][stage] += ms;
 }
 
 void stages_end(Stages* stages, Stage stage) {
     const double end = stages_now();
-    stages->ms[stage] += end - stages->since;
+    add(stages, stage, end - stages->since);
     stages->since = end;
 }
 
 void stages_drawn(Stages* stages, RendererTimes times) {
-    stages->ms[STAGE_UPLOAD] += times.upload;
-    stages->ms[STAGE_SHADOW] += times.shadow;
-    stages->ms[STAGE_SCENE] += times.scene;
-    stages->ms[STAGE_RESOLVE] += times.resolve;
+    add(stages, STAGE_UPLOAD, times.upload);
+    add(stages, STAGE_SHADOW, times.shadow);
+    add(stages, STAGE_SCENE, times.scene);
+    add(stages, STAGE_RESOLVE, times.resolve);
     stages->since = stages_now();
 }
 

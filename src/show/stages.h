@@ -17,9 +17,14 @@ typedef enum Stage {
     STAGES
 } Stage;
 
+extern const char* const stage_name[STAGES];
+
+enum { STAGES_KEPT = 64 };
+
 typedef struct Stages {
-    double ms[STAGES]; ///< sum over the frames
-    double since;      ///< when the present stage began [ms]
+    double ms[STAGES];                ///< sum over the frames
+    double kept[STAGES_KEPT][STAGES]; ///< of the last frames, round and round
+    double since;                     ///< when the present stage began [ms]
     long frames;
 } Stages;
 

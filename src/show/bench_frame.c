@@ -1,0 +1,56 @@
+/// The stages of a frame of 1280 x 720 without a window, wall time: the last frames of two
+/// simulated seconds, whose pictures are read back and not written.
+#include "show/bench_frame.h"
+
+#include <stdio.h>
+
+#include "show/show.h"
+
+static const char* const scene_table[] = {"party", "crowd", "teddy"};
+enum { SCENES = sizeof scene_table / sizeof *scene_table };
+
+/// Of a full and of a quick run. [s]
+static const double seconds_table[] = {2, 0.1};
+
+static bool run_scene(const char* scene, const BenchOptions* options, Fault* fault) {
+    WorldDef def;
+    World world;
+    Stages stages = {.frames = 0};
+    ShowOptions show = show_options_default();
+    show.seconds = seconds_table[options->quick];
+    show.stages = &stages;
+    show.quiet = true;
+    if (!scene_load(scene, NULL, 0, &def, fault) || !world_open(&world, &def, fault))
+        return false;
+    int particles = 0;
+    for (int b = 0; b < world.balloon_count; b++)
+        particles += world.balloon[b].body.count;
+    const bool good = show_render(&world, &show, fault);
+    world_close(&world);
+    if (!good)
+        return false;
+    const int kept = stages.frames < STAGES_KEPT ? (int)stages.frames : STAGES_KEPT;
+    double sample[STAGES_KEPT];
+    for (int stage = 0; stage < STAGES; stage++) {
+        for (int k = 0; k < kept; k++)
+            sample[k] = stages.kept[(stages.frames - k) % STAGES_KEPT][stage];
+        figures_add_samples(options->figures, scene, particles, stage_name[stage], "ms/frame",
+                            sample, kept);
+    }
+    return true;
+}
+
+static bool run(const BenchOptions* options, Fault* fault) {
+    figures_head(options->figures);
+    for (int k = 0; k < SCENES; k++)
+        if (!run_scene(scene_table[k], options, fault))
+            return false;
+    return true;
+}
+
+const BenchCase bench_frame = {
+    .name = "frame",
+    .about = "where the time of a frame goes, stage by stage",
+    .timed = true,
+    .run = run,
+};
