@@ -3,10 +3,6 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 . tests/say.sh
-build=${1:-build}
-balloon=$build/balloon
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 "$balloon" stability --quick --out "$scratch/o" >"$scratch/table"
 ok "it measures and draws" test $? = 0
