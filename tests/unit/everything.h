@@ -35,4 +35,19 @@ static inline void everything(const Mesh* mesh, Body* body, SpringLaw spring_law
         body->v[i] = (real4){(real)0.3, (real)-0.1, (real)(0.01 * i), 0};
 }
 
+/// Such a body for each law of springs, material and law of inflation.
+static inline void each_everything(void (*visit)(Body* body)) {
+    Mesh mesh;
+    mesh_of("cube-sphere:4", &mesh);
+    for (int n = 0; n < SPRING_LAWS * material_count; n++)
+        for (int law = INFLATE_AREA; law < INFLATION_LAWS; law++) {
+            Body body;
+            everything(&mesh, &body, (SpringLaw)(n % SPRING_LAWS), (InflationLaw)law,
+                       material_table[n / SPRING_LAWS]);
+            visit(&body);
+            body_free(&body);
+        }
+    mesh_free(&mesh);
+}
+
 #endif

@@ -33,24 +33,18 @@ static void check_gradient(const Force* force, Body* body) {
         }
 }
 
+static void check_gradients(Body* body) {
+    for (int k = 0; k < force_count; k++) {
+        assert_true(force_table[k]->present(body) ==
+                    (force_table[k] != &force_lift || body->inflation.law == INFLATE_GAS));
+        if (force_table[k]->energy && force_table[k]->present(body))
+            check_gradient(force_table[k], body);
+    }
+}
+
 static void force_is_the_gradient_of_its_energy(void** state) {
     (void)state;
-    Mesh mesh;
-    mesh_of("cube-sphere:4", &mesh);
-    for (int n = 0; n < SPRING_LAWS * material_count; n++)
-        for (int law = INFLATE_AREA; law < INFLATION_LAWS; law++) {
-            Body body;
-            everything(&mesh, &body, (SpringLaw)(n % SPRING_LAWS), (InflationLaw)law,
-                       material_table[n / SPRING_LAWS]);
-            for (int k = 0; k < force_count; k++) {
-                assert_true(force_table[k]->present(&body) ==
-                            (force_table[k] != &force_lift || law == INFLATE_GAS));
-                if (force_table[k]->energy && force_table[k]->present(&body))
-                    check_gradient(force_table[k], &body);
-            }
-            body_free(&body);
-        }
-    mesh_free(&mesh);
+    each_everything(check_gradients);
 }
 
 /// (rho V - m) g upward, and nothing to the sides.
