@@ -58,6 +58,39 @@ static void the_labs_page_draws_its_plots_on_the_right(void** state) {
     hud_close();
 }
 
+/// In a narrow picture the status box takes more lines, and the page and the keys lie over none of
+/// it.
+static void the_status_box_gives_way(void** state) {
+    (void)state;
+    Fault fault = {0};
+    assert_true(hud_open(1, &fault));
+    static Page page = {.title = "Balloon 0", .map.method = "euler"};
+    static Panel panel = {.title = "a title", .page = &page};
+    panel_row(&panel, "balloon 0", "amount 1, pressure 7.428, volume x 1.12, and more than that");
+    panel.key[panel.key_count++] = (PanelKey){"key", "what a key does, in so many words as these"};
+    for (int width = 500; width <= 640; width += 140)
+        for (int help = 0; help < 2; help++) {
+            panel.help_shown = help;
+            renderer_resize(renderer, width, HEIGHT);
+            for (int on = 0; on < 2; on++) {
+                panel.shown = on;
+                renderer_draw(renderer, &drawn.picture);
+                hud_draw(&panel, width, HEIGHT);
+                renderer_read(renderer, large[on][0][0]);
+            }
+            // of hud/page.cpp; the box of the keys is a little wider than its column
+            const int left = help ? width - 14 - 24 - 7 * 48 : width - 26 - 12 - 2 * width / 5;
+            int before = 0, beyond = 0;
+            const unsigned char* off = large[0][0][0];
+            const unsigned char* on = large[1][0][0];
+            for (int i = 0; i < 3 * width * HEIGHT; i++)
+                *(i / 3 % width < left ? &before : &beyond) += off[i] != on[i];
+            assert_int_equal(beyond, 0);
+            assert_true(help || before > 3000);
+        }
+    hud_close();
+}
+
 /// What a click finds is what is drawn there.
 static void a_cell_of_the_map_is_found_where_it_is_drawn(void** state) {
     (void)state;
@@ -108,6 +141,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(the_overlay_says_the_same_twice_and_stays_in_its_corner, set_up),
         cmocka_unit_test_setup(the_labs_page_draws_its_plots_on_the_right, set_up),
+        cmocka_unit_test_setup(the_status_box_gives_way, set_up),
         cmocka_unit_test_setup(a_cell_of_the_map_is_found_where_it_is_drawn, set_up),
         cmocka_unit_test(a_panel_takes_no_more_rows_than_it_has),
     };
