@@ -1,4 +1,9 @@
-# What the script tests share: count what passed, say what failed. Sourced, not run.
+# What the script tests share: where things are, count what passed, say what failed. Sourced from the
+# root with the script's own arguments, a build folder or none.
+build=$(realpath "${1:-build}")
+balloon=$build/balloon double=$build/balloon-double
+scratch=$(mktemp -d)
+trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 passed=0 failed=0
 
 ok() { # ok "law" command…: the command succeeds
@@ -31,6 +36,8 @@ refuses() {
         return 1
     fi
 }
+
+bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; } # bad "pattern" command…
 
 finish() {
     echo "$passed passed, $failed failed"

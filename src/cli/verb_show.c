@@ -38,7 +38,7 @@ static bool finish(const Options* options, World* world, Ghost* ghost, bool good
     return good;
 }
 
-bool verb_play(const Options* options, Fault* fault) {
+static bool show_pair(const Options* options, bool window, Fault* fault) {
     World world;
     ShowOptions show;
     Ghost ghost = {0};
@@ -46,23 +46,21 @@ bool verb_play(const Options* options, Fault* fault) {
     if (!open_pair(options, &sets, &world, &ghost, fault))
         return false;
     bool good = show_options(options, &sets, &world, &ghost, &show, fault);
-    show.overlay = true;
-    if (!options->seconds) // a window stays open
-        show.seconds = 0;
-    good = good && show_play(&world, &show, fault);
+    if (window) {
+        show.overlay = true;
+        if (!options->seconds) // it stays open
+            show.seconds = 0;
+    }
+    good = good && (window ? show_play : show_render)(&world, &show, fault);
     return finish(options, &world, &ghost, good);
 }
 
+bool verb_play(const Options* options, Fault* fault) {
+    return show_pair(options, true, fault);
+}
+
 bool verb_render(const Options* options, Fault* fault) {
-    World world;
-    ShowOptions show;
-    Ghost ghost = {0};
-    Sets sets;
-    if (!open_pair(options, &sets, &world, &ghost, fault))
-        return false;
-    const bool good = show_options(options, &sets, &world, &ghost, &show, fault) &&
-                      show_render(&world, &show, fault);
-    return finish(options, &world, &ghost, good);
+    return show_pair(options, false, fault);
 }
 
 bool verb_run(const Options* options, Fault* fault) {

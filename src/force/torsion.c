@@ -7,25 +7,41 @@ static bool present(const Body* body) {
     return body->torsion.count > 0;
 }
 
+/// One path as it is bent.
+typedef struct Bend {
+    int p, m, q;
+    real a, c, b;
+    real4 u, w, n;
+} Bend;
+
+/// False where it has no direction: an edge without length, or straight, where every direction of
+/// bending is as good and none is pushed.
+static bool bend_of(const Body* body, const int path[3], Bend* at) {
+    at->p = path[0], at->m = path[1], at->q = path[2];
+    const real4 dp = body->x[at->p] - body->x[at->m], dq = body->x[at->q] - body->x[at->m];
+    at->a = length(dp), at->c = length(dq);
+    if (!(at->a > 0 && at->c > 0))
+        return false;
+    at->u = dp / at->a, at->w = dq / at->c;
+    at->b = length(at->u + at->w);
+    if (!(at->b > 0))
+        return false;
+    at->n = (at->u + at->w) / at->b;
+    return true;
+}
+
 static void add(Body* body) {
     const Torsion* torsion = &body->torsion;
     for (int t = 0; t < torsion->count; t++) {
-        const int p = torsion->path[t][0], m = torsion->path[t][1], q = torsion->path[t][2];
-        const real4 dp = body->x[p] - body->x[m], dq = body->x[q] - body->x[m];
-        const real a = length(dp), c = length(dq);
-        if (!(a > 0 && c > 0))
+        Bend at;
+        if (!bend_of(body, torsion->path[t], &at))
             continue;
-        const real4 u = dp / a, w = dq / c;
-        const real b = length(u + w);
-        if (!(b > 0)) // straight: every direction of bending is as good, none is pushed
-            continue;
-        const real4 n = (u + w) / b;
-        const real pull = -torsion->stiffness * (b - torsion->rest[t]);
-        const real4 fp = (pull / a) * (n - dot(n, u) * u);
-        const real4 fq = (pull / c) * (n - dot(n, w) * w);
-        body->f[p] += fp;
-        body->f[q] += fq;
-        body->f[m] -= fp + fq;
+        const real pull = -torsion->stiffness * (at.b - torsion->rest[t]);
+        const real4 fp = (pull / at.a) * (at.n - dot(at.n, at.u) * at.u);
+        const real4 fq = (pull / at.c) * (at.n - dot(at.n, at.w) * at.w);
+        body->f[at.p] += fp;
+        body->f[at.q] += fq;
+        body->f[at.m] -= fp + fq;
     }
 }
 
@@ -61,31 +77,25 @@ static void product(const Body* body, double factor, const real4* d, real4* out)
     const Torsion* torsion = &body->torsion;
     const real stiffness = (real)factor * torsion->stiffness;
     for (int t = 0; t < torsion->count; t++) {
-        const int p = torsion->path[t][0], m = torsion->path[t][1], q = torsion->path[t][2];
-        const real4 dp = body->x[p] - body->x[m], dq = body->x[q] - body->x[m];
-        const real a = length(dp), c = length(dq);
-        if (!(a > 0 && c > 0))
+        Bend at;
+        if (!bend_of(body, torsion->path[t], &at))
             continue;
-        const real4 u = dp / a, w = dq / c;
-        const real b = length(u + w);
-        if (!(b > 0))
-            continue;
-        const real4 n = (u + w) / b;
-        const real4 gp = (n - dot(n, u) * u) / a, gq = (n - dot(n, w) * w) / c;
-        const real4 change_p = d[p] - d[m], change_q = d[q] - d[m];
+        const real4 n = at.n, u = at.u, w = at.w;
+        const real4 gp = (n - dot(n, u) * u) / at.a, gq = (n - dot(n, w) * w) / at.c;
+        const real4 change_p = d[at.p] - d[at.m], change_q = d[at.q] - d[at.m];
         const real db = dot(gp, change_p) + dot(gq, change_q);
         real4 kp = (stiffness * db) * gp, kq = (stiffness * db) * gq;
         if (!torsion->project) {
             const real da = dot(u, change_p), dc = dot(w, change_q);
-            const real4 du = (change_p - da * u) / a, dw = (change_q - dc * w) / c;
-            const real4 dn = (du + dw - db * n) / b;
-            const real over = stiffness * (b - torsion->rest[t]);
-            kp += over * slope_change(n, dn, u, du, gp, a, da);
-            kq += over * slope_change(n, dn, w, dw, gq, c, dc);
+            const real4 du = (change_p - da * u) / at.a, dw = (change_q - dc * w) / at.c;
+            const real4 dn = (du + dw - db * n) / at.b;
+            const real over = stiffness * (at.b - torsion->rest[t]);
+            kp += over * slope_change(n, dn, u, du, gp, at.a, da);
+            kq += over * slope_change(n, dn, w, dw, gq, at.c, dc);
         }
-        out[p] += kp;
-        out[q] += kq;
-        out[m] -= kp + kq;
+        out[at.p] += kp;
+        out[at.q] += kq;
+        out[at.m] -= kp + kq;
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include <imgui.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -57,27 +58,76 @@ const char* key_value(const Panel& panel, int i) {
     return panel.key[i].about;
 }
 
-// right: the box ends at x, otherwise it begins there.
-void draw_table(const Panel& panel, const Table& table, float x, bool right) {
+constexpr float LEAST = 80;  // of a column of values
+constexpr float DENSE = 11;  // from one line to the next where they are many
+constexpr float HEAD = 1.4f; // of a title, in lines
+
+// As much of the words as a line of this width takes, and one at least; ImGui's own lines would
+// break numbers at their points.
+const char* line_end(const char* words, float width) {
+    const char* end = words + std::strcspn(words, " ");
+    while (*end) {
+        const char* next = end + 1 + std::strcspn(end + 1, " ");
+        if (ImGui::CalcTextSize(words, next).x > width)
+            break;
+        end = next;
+    }
+    return end;
+}
+
+// Words on as many lines as a width takes: the height of those after the first.
+float wrapped_more(const char* words, float width) {
+    float more = 0;
+    while (*(words = line_end(words, width)) != 0) {
+        words++;
+        more += FONT_SIZE * scale;
+    }
+    return more;
+}
+
+void text_wrapped(float x, float y, ImU32 color, const char* words, float width) {
+    for (const char* end; *words; words = *end ? end + 1 : end, y += FONT_SIZE * scale) {
+        end = line_end(words, width);
+        ImGui::GetBackgroundDrawList()->AddText(ImVec2(x, y), color, words, end);
+    }
+}
+
+// Against the left or the right rim of a picture of this size, and at most so wide: longer texts
+// take more lines, and what has no room is left out. Returns where the box begins.
+float draw_table(const Panel& panel, const Table& table, ImVec2 size, bool right, float widest) {
     float labels = 0, values = 0;
     for (int i = 0; i < table.count; i++) {
         labels = std::max(labels, width_of(table.label(panel, i)));
         values = std::max(values, width_of(table.value(panel, i)));
     }
-    const float columns = table.count > 0 ? labels + GAP * scale + values : 0;
-    const float wide = std::max(columns, width_of(table.title)) + 2 * PADDING * scale;
-    const float lines = static_cast<float>(table.count) + 1.4f;
-    const ImVec2 low(right ? x - wide : x, MARGIN * scale);
-    box(low, ImVec2(wide, lines * LINE * scale + 1.5f * PADDING * scale), GLASS);
+    const float inner = widest - 2 * PADDING * scale, before = labels + GAP * scale;
+    const float room = std::min(values, inner - before);
+    if (room < std::min(values, LEAST * scale))
+        return size.x;
+    const float columns = table.count > 0 ? before + room : 0;
+    const float words = std::max(columns, std::min(width_of(table.title), inner));
+    const float wide = words + 2 * PADDING * scale;
+    const float head = HEAD * LINE * scale + wrapped_more(table.title, words);
+    const float rest = size.y - (2 * MARGIN + 1.5f * PADDING) * scale - head;
+    const float line =
+        std::clamp(rest / static_cast<float>(table.count), DENSE * scale, LINE * scale);
+    float tall = head + 1.5f * PADDING * scale;
+    for (int i = 0; i < table.count; i++)
+        tall += line + wrapped_more(table.value(panel, i), room);
+    const ImVec2 low(right ? size.x - MARGIN * scale - wide : MARGIN * scale, MARGIN * scale);
+    box(low, ImVec2(wide, tall), GLASS);
 
     const float left = low.x + PADDING * scale;
     float y = low.y + PADDING * scale;
-    text(left, y, TITLE, table.title);
-    y += 1.4f * LINE * scale;
-    for (int i = 0; i < table.count; i++, y += LINE * scale) {
+    text_wrapped(left, y, TITLE, table.title, words);
+    y += head;
+    for (int i = 0; i < table.count; i++) {
+        const char* value = table.value(panel, i);
         text(left, y, LABEL, table.label(panel, i));
-        text(left + labels + GAP * scale, y, VALUE, table.value(panel, i));
+        text_wrapped(left + before, y, VALUE, value, room);
+        y += line + wrapped_more(value, room);
     }
+    return low.x;
 }
 
 // A sentence in the middle of the lower rim, on as many lines as it takes.
@@ -123,14 +173,17 @@ void hud_draw(const Panel* panel, int width, int height) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
 
-    if (panel->shown)
-        draw_table(*panel, {panel->title, panel->row_count, row_label, row_value}, MARGIN * scale,
-                   false);
+    // the status box takes what the other leaves
+    const float all = size.x - MARGIN * scale;
+    float free = all;
     if (panel->help_shown)
-        draw_table(*panel, {"Keys", panel->key_count, key_label, key_value},
-                   size.x - MARGIN * scale, true);
+        free = draw_table(*panel, {"Keys", panel->key_count, key_label, key_value}, size, true,
+                          all - MARGIN * scale);
     else if (panel->page)
-        draw_page(*panel->page, size);
+        free = draw_page(*panel->page, size);
+    if (panel->shown)
+        draw_table(*panel, {panel->title, panel->row_count, row_label, row_value}, size, false,
+                   std::min(free - 0.5f * MARGIN * scale, all) - MARGIN * scale);
     if (panel->page)
         draw_slider(panel->page->slider, size);
     if (panel->message[0])

@@ -65,6 +65,12 @@ void text_right(float x, float y, ImU32 color, const char* words) {
     text(x - width_of(words), y, color, words);
 }
 
+// On one line with words at its left, whose end is given, if there is room.
+void text_beside(float end, float x, float y, ImU32 color, const char* words) {
+    if (end + GAP * scale + width_of(words) <= x)
+        text_right(x, y, color, words);
+}
+
 void draw_plot(const Page& page, const PagePlot& plot, ImVec2 low, ImVec2 size) {
     const Range range = range_of(plot.y, page.count);
     const Range time = range_of(page.t, page.count);
@@ -92,8 +98,8 @@ void draw_words(const Page& page, const PagePlot& plot, float left, float right,
     text(x, y, VALUE, plot.value);
     const bool level = range.high - range.low <=
                        LEVEL * std::max(std::fabs(range.low), std::fabs(range.high)) * 1.01f;
-    if (!level && x + width_of(plot.value) + GAP * scale + width_of(ends) <= right)
-        text_right(right, y, LABEL, ends);
+    if (!level)
+        text_beside(x + width_of(plot.value), right, y, LABEL, ends);
 }
 
 void draw_times(const Page& page, float left, float right, float y) {
@@ -208,20 +214,22 @@ void draw_curve_part(const PageCurve& curve, const Layout& layout) {
     char end[32];
     const float tall = TALL * layout.graph;
     float y = layout.curve;
-    text(layout.left, y, TITLE, "Pressure over stretch");
-    text_right(layout.right, y, TRUTH, curve.law);
+    const char* title = "Pressure over stretch";
+    text(layout.left, y, TITLE, title);
+    text_beside(layout.left + width_of(title), layout.right, y, TRUTH, curve.law);
     y += LINE * scale;
     draw_curve(curve, ImVec2(layout.left, y), ImVec2(layout.wide, tall - 4 * scale));
     y += tall;
     std::snprintf(end, sizeof end, "%.3g", static_cast<double>(curve.stretch));
-    text_right(layout.right, y, LABEL, end);
     text(layout.left, y, VALUE, curve.value);
+    text_beside(layout.left + width_of(curve.value), layout.right, y, LABEL, end);
 }
 
 void draw_map_part(const PageMap& map, const Layout& layout) {
     float y = layout.map;
-    text(layout.left, y, TITLE, "Stability: step, stiffness");
-    text_right(layout.right, y, LABEL, map.method);
+    const char* title = "Stability: step, stiffness";
+    text(layout.left, y, TITLE, title);
+    text_beside(layout.left + width_of(title), layout.right, y, LABEL, map.method);
     draw_map(map, map_low(layout), map_size(layout));
     y += LINE * scale + TALL * layout.graph;
     text(layout.left, y, LABEL, map.ends);
@@ -231,7 +239,7 @@ void draw_map_part(const PageMap& map, const Layout& layout) {
 
 } // namespace
 
-void draw_page(const Page& page, ImVec2 size) {
+float draw_page(const Page& page, ImVec2 size) {
     const Layout layout = layout_of(page, size);
     const float left = layout.left, right = layout.right;
     box(ImVec2(left - PADDING * scale, MARGIN * scale),
@@ -251,6 +259,7 @@ void draw_page(const Page& page, ImVec2 size) {
     if (page.has_curve)
         draw_curve_part(page.curve, layout);
     draw_map_part(page.map, layout);
+    return left - PADDING * scale;
 }
 
 bool page_cell(const Page& page, ImVec2 size, ImVec2 point, int cell[2]) {

@@ -31,8 +31,8 @@ float width_of(const char* text);
 void box(ImVec2 low, ImVec2 size, ImU32 color);
 void text(float x, float y, ImU32 color, const char* words);
 
-/// The lab's page along the right rim of a picture of this size.
-void draw_page(const Page& page, ImVec2 size);
+/// The lab's page along the right rim of a picture of this size; where its box begins [px].
+float draw_page(const Page& page, ImVec2 size);
 
 /// The cell of its map under a point [px].
 bool page_cell(const Page& page, ImVec2 size, ImVec2 point, int cell[2]);

@@ -32,7 +32,7 @@ Track track_of(const PageSlider& slider, ImVec2 size) {
 
 // A small picture has no room for it beside the page.
 bool fits(const Track& track, ImVec2 size) {
-    return size.x >= 1.9f * track.size.x && size.y >= 2 * track.size.y;
+    return size.x >= 1.95f * track.size.x && size.y >= 2 * track.size.y;
 }
 
 float notch_x(const PageSlider& slider, const Track& track, int notch) {

@@ -1,16 +1,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/median.h"
 #include "base/memory.h"
 #include "lab/chart.h"
 #include "mesh/mesh.h"
 
 enum { SIDE_BY_SIDE = 2, TIMES = 3 };
-
-static int rising(const void* a, const void* b) {
-    const double x = *(const double*)a, y = *(const double*)b;
-    return (x > y) - (x < y);
-}
 
 /// Relative, but where the truth is 0.
 static double error_of(double measured, double truth) {
@@ -111,11 +107,9 @@ bool chart_measure(ChartPlan* plan, Fault* fault) {
     for (int round = 0; good && round < TIMES; round++)
         good = launch_all(plan->launch, plan->launches, 1, "times", fault) &&
                take_times(plan, round, ms, fault);
-    for (int k = 0; good && k < plan->launches; k++)
-        qsort(ms + k * TIMES, TIMES, sizeof *ms, rising);
     for (int p = 0; good && p < plan->points; p++)
         if (plan->point[p].launch != NONE)
-            plan->point[p].ms = ms[plan->point[p].launch * TIMES + TIMES / 2];
+            plan->point[p].ms = median(ms + plan->point[p].launch * TIMES, TIMES);
     free(ms);
     find_best(plan);
     return good;

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "base/median.h"
 #include "base/memory.h"
 #include "lab/bench.h"
 #include "lab/peer_world.h"
@@ -47,16 +48,6 @@ typedef struct Cost {
 
 static double now(void) {
     return 1e3 * clock_seconds(CLOCK_THREAD_CPUTIME_ID);
-}
-
-static int rising(const void* a, const void* b) {
-    const double x = *(const double*)a, y = *(const double*)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double* time, int count) {
-    qsort(time, (size_t)count, sizeof *time, rising);
-    return time[count / 2];
 }
 
 /// Spread evenly over a sphere: one after the other along a spiral from pole to pole, each turned

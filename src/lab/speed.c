@@ -10,6 +10,7 @@
 
 #include "base/clock.h"
 #include "base/crew.h"
+#include "base/median.h"
 #include "base/memory.h"
 #include "force/inflation.h"
 #include "lab/bench.h"
@@ -43,19 +44,14 @@ static const SpeedCase case_table[] = {
 };
 enum { CASES = sizeof case_table / sizeof *case_table };
 
-static int rising(const void* a, const void* b) {
-    const double x = *(const double*)a, y = *(const double*)b;
-    return (x > y) - (x < y);
-}
-
 /// Shortest and median of some times.
 typedef struct Times {
     double minimum, median;
 } Times;
 
 static Times times_of(double* seconds, int count) {
-    qsort(seconds, (size_t)count, sizeof *seconds, rising);
-    return (Times){seconds[0], seconds[count / 2]};
+    const double middle = median(seconds, count);
+    return (Times){seconds[0], middle};
 }
 
 /// Time of one call of `step`, CPU time of this thread.

@@ -1,9 +1,11 @@
 #include "lab/stability.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "base/memory.h"
 #include "lab/plot.h"
 #include "lab/trial.h"
 
@@ -72,7 +74,7 @@ static void say(const char* what, const char* scene, const char* method) {
 
 /// The keys at a value of the axis, and the damping unless it is less than 0.
 static bool open_at(Trial* trial, const char* scene, const Key* key, double value, double damping,
-                    const Method* method, bool* refused, Fault* fault) {
+                    const Method* method, const char** refused, Fault* fault) {
     char word[KEYS_MOST + 1][96];
     SceneSet set[KEYS_MOST + 1];
     int count = 0;
@@ -94,18 +96,17 @@ static double spaced(double low, double high, int k, int count, bool logarithmic
     return logarithmic ? low * pow(high / low, part) : low + part * (high - low);
 }
 
-/// One method's cells of a map.
+/// One method's cells of a map; or why it refuses.
 static bool map_method(const MapCase* map, const Method* method, bool quick, FILE* cells,
-                       FILE* limits, Fault* fault) {
+                       FILE* limits, const char** refused, Fault* fault) {
     const int rows = quick ? map->quick_rows : map->rows;
     const int columns = quick ? map->quick_columns : map->columns;
     say("map", map->scene, method->name);
     for (int r = 0; r < rows; r++) {
         Trial trial;
-        bool refused;
         const double value = spaced(map->low, map->high, r, rows, map->logarithmic);
-        if (!open_at(&trial, map->scene, map->key, value, -1, method, &refused, fault))
-            return refused;
+        if (!open_at(&trial, map->scene, map->key, value, -1, method, refused, fault))
+            return *refused;
         fprintf(limits, "%s,%s,%.17g,%.17g,%.17g\n", map->scene, method->name, value,
                 trial_theory(&trial), trial_bound(&trial));
         for (int c = 0; c < columns; c++) {
@@ -132,7 +133,7 @@ static bool limit_method(const LimitCase* limit, const Method* method, FILE* out
     say("limit", limit->name, method->name);
     for (int d = 0; d < limit->dampings; d++) {
         Trial trial;
-        bool refused;
+        const char* refused;
         if (!open_at(&trial, limit->scene, limit->key, 1, limit->damping[d], method, &refused,
                      fault))
             return refused;
@@ -173,7 +174,8 @@ static bool end(FILE* out, const char* folder, const char* name, Fault* fault) {
     return true;
 }
 
-static bool measure_maps(const char* folder, bool quick, Fault* fault) {
+/// refused[map][method].
+static bool measure_maps(const char* folder, bool quick, const char** refused, Fault* fault) {
     FILE* cells =
         create(folder, "map.csv", "scene,method,step,stiffness,verdict,growth_rate", fault);
     FILE* limits =
@@ -181,7 +183,8 @@ static bool measure_maps(const char* folder, bool quick, Fault* fault) {
     bool good = cells && limits;
     for (int k = 0; good && k < MAPS; k++)
         for (int m = 0; good && m < method_count; m++)
-            good = map_method(&map_table[k], method_table[m], quick, cells, limits, fault);
+            good = map_method(&map_table[k], method_table[m], quick, cells, limits,
+                              &refused[k * method_count + m], fault);
     good = (!cells || end(cells, folder, "map.csv", fault)) && good;
     return (!limits || end(limits, folder, "map-limit.csv", fault)) && good;
 }
@@ -200,7 +203,8 @@ static bool measure_limits(const char* folder, bool quick, Fault* fault) {
     return (!out || end(out, folder, "stability.csv", fault)) && good;
 }
 
-static bool draw(const char* folder, const MapCase* map, bool quick, Fault* fault) {
+static bool draw(const char* folder, const MapCase* map, bool quick, const char* const* refused,
+                 Fault* fault) {
     char name[64];
     snprintf(name, sizeof name, "map-%s", map->scene);
     Plot plot;
@@ -225,6 +229,12 @@ static bool draw(const char* folder, const MapCase* map, bool quick, Fault* faul
             lines, columns, map->axis);
     if (map->logarithmic)
         fprintf(plot.script, "set logscale y\n");
+    // an empty panel says why
+    fprintf(plot.script, "why(m) = ");
+    for (int m = 0; m < method_count; m++)
+        if (refused[m])
+            fprintf(plot.script, "m eq '%s' ? \"%s\" : ", method_table[m]->name, refused[m]);
+    fprintf(plot.script, "''\n");
     fprintf(plot.script,
             "low(c) = %s\nhigh(c) = %s\n"
             "is(m, v) = strcol(1) eq '%s' && strcol(2) eq m && (v eq '' || strcol(5) eq v)\n"
@@ -239,6 +249,8 @@ static bool draw(const char* folder, const MapCase* map, bool quick, Fault* faul
         plot.script,
         "'] {\n"
         "set title m\n"
+        "set label 1 why(m) at graph 0.5,0.5 center font ',10'\n"
+        "if (why(m) eq '') {set key on} else {set key off}\n"
         "plot [%.9g / right:%.9g * right] [low(%.9g):high(%.9g)] \\\n"
         "    for [k = 1:3] 'map.csv' skip 1 using (is(m, verdict[k]) ? $3 : NaN):4:($3 / right):"
         "($3 * right):(low($4)):(high($4)) with boxxyerror lc rgb color[k] title verdict[k], \\\n"
@@ -252,9 +264,11 @@ static bool draw(const char* folder, const MapCase* map, bool quick, Fault* faul
 }
 
 bool stability(const char* folder, bool quick, Fault* fault) {
+    const char** refused = new_array(const char*, MAPS* method_count);
     bool good = plot_folder(folder, fault) && measure_limits(folder, quick, fault) &&
-                measure_maps(folder, quick, fault);
+                measure_maps(folder, quick, refused, fault);
     for (int k = 0; good && k < MAPS; k++)
-        good = draw(folder, &map_table[k], quick, fault);
+        good = draw(folder, &map_table[k], quick, &refused[k * method_count], fault);
+    free(refused);
     return good;
 }

@@ -164,13 +164,14 @@ bool trial_prepare(Trial* trial, bool* ready, Fault* fault) {
 }
 
 bool trial_open(Trial* trial, const char* scene, const SceneSet* set, int set_count,
-                const Method* method, bool* refused, Fault* fault) {
+                const Method* method, const char** refused, Fault* fault) {
     WorldDef calm, def;
     *trial = (Trial){0};
-    *refused = false;
+    *refused = NULL;
     bool good = load(&calm, scene, set, set_count, method_newton.name, fault) &&
                 world_open(&trial->calm, &calm, fault);
-    *refused = good && method->refuses && method->refuses(&trial->calm.balloon[0].body);
+    if (good && method->refuses)
+        *refused = method->refuses(&trial->calm.balloon[0].body);
     good = good && !*refused && load(&def, scene, set, set_count, method->name, fault) &&
            world_open(&trial->world, &def, fault);
     bool ready = false;

@@ -56,9 +56,9 @@ typedef struct Trial {
 } Trial;
 
 /// Load the scene with overrides, bring it to rest and find its fastest frequency. A method that
-/// refuses the scene leaves `refused`, and the trial closed.
+/// refuses the scene leaves its sentence in `refused`, else NULL, and the trial closed.
 bool trial_open(Trial* trial, const char* scene, const SceneSet* set, int set_count,
-                const Method* method, bool* refused, Fault* fault);
+                const Method* method, const char** refused, Fault* fault);
 
 /// The same in parts, for who has other things to do: first only the worlds are opened, which the
 /// trial then owns, both of the same balloon: `calm` with newton, which brings it to rest, and

@@ -2,8 +2,8 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
+#include "base/median.h"
 #include "world/probe.h"
 
 // clang-format off
@@ -67,20 +67,16 @@ double history_value(const History* history, int quantity, int k) {
 /// What takes so many times the median is not the step, but what came between. [1]
 static const double interrupted = 4;
 
-static int ascending(const void* a, const void* b) {
-    const float x = *(const float*)a, y = *(const float*)b;
-    return (x > y) - (x < y);
-}
-
 /// Spikes would leave nothing to see of the rest.
 static void cut(float* y, int count) {
-    float sorted[PAGE_POINTS];
+    double sorted[PAGE_POINTS];
     int known = 0;
     for (int k = 0; k < count; k++)
         if (isfinite(y[k]))
-            sorted[known++] = y[k];
-    qsort(sorted, (size_t)known, sizeof *sorted, ascending);
-    const float most = (float)interrupted * sorted[known / 2];
+            sorted[known++] = (double)y[k];
+    if (known == 0)
+        return;
+    const float most = (float)(interrupted * median(sorted, known));
     for (int k = 0; k < count; k++)
         if (y[k] > most)
             y[k] = most;

@@ -2,14 +2,8 @@
 # Advice: what is measured is kept, what is asked for is given or refused, what comes out is a scene.
 set -u
 cd "$(dirname "$0")/../.."
-build=$(realpath "${1:-build}")
 . tests/say.sh
-balloon=$build/balloon
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 export XDG_CACHE_HOME=$scratch/cache
-
-bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
 
 # --- the exact cube: its corners swing out to r(0.02), 35.105218866e-3 beyond sqrt(3); V = (2 r/sqrt 3)^3
 truth=$(awk 'BEGIN { printf "%.17g", ((sqrt(3) + 0.035105218866) * 2 / sqrt(3)) ^ 3 }')

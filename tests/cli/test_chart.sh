@@ -2,13 +2,7 @@
 # Speed against accuracy: what the chart's own numbers must show.
 set -u
 cd "$(dirname "$0")/../.."
-build=$(realpath "${1:-build}")
 . tests/say.sh
-balloon=$build/balloon
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
 
 # pick FILE SCENE METHOD SKIN VERTICES STEP COLUMN: of the row in double
 pick() {

@@ -2,11 +2,7 @@
 # The command line: verbs, numbers, files, and one sentence for each kind of bad input.
 set -u
 cd "$(dirname "$0")/../.."
-build=$(realpath "${1:-build}")
 . tests/say.sh
-balloon=$build/balloon double=$build/balloon-double
-scratch=$(mktemp -d)
-trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 is_double=0
 
 column() { # column FILE NAME ROW: a CSV's value
@@ -14,7 +10,6 @@ column() { # column FILE NAME ROW: a CSV's value
         NR == row + 2 { print $c }' "$1"
 }
 
-bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
 usage() { ok "refuses usage: $*" refuses 2 "$1" "${@:2}"; }
 
 # --- the doctor

@@ -2,11 +2,7 @@
 # Side by side: a ghost gets the same input, changes nothing of the scene, and is told in numbers.
 set -u
 cd "$(dirname "$0")/../.."
-build=$(realpath "${1:-build}")
 . tests/say.sh
-balloon=$build/balloon double=$build/balloon-double
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 last() { # last FILE COLUMN: in the last row
     awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) c = i } END { print $c }' "$1"

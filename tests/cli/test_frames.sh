@@ -3,11 +3,7 @@
 # the pictures that a person has looked at (tests/golden, within a tolerance for other machines).
 set -u
 cd "$(dirname "$0")/../.."
-build=$(realpath "${1:-build}")
 . tests/say.sh
-balloon=$build/balloon
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 # how many pixels are of a saturated colour, as balloons are and floor and sky are not
 coloured() {

@@ -2,13 +2,7 @@
 # What scenes need: what is planted is found, and no shipped scene models more than it needs.
 set -u
 cd "$(dirname "$0")/../.."
-build=$(realpath "${1:-build}")
 . tests/say.sh
-balloon=$build/balloon
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-bad() { ok "refuses: $*" refuses 1 "$1" "${@:2}"; }
 
 # unneeded FILE: the parts that needs.csv has as unneeded without a reason
 unneeded() { awk -F, 'NR > 1 && $6 == 0 && $7 == "\"\"" { print $2 }' "$1" | sort | paste -sd' '; }

@@ -2,10 +2,7 @@
 # The README says what the program says: its keys, and a scene that loads.
 set -u
 cd "$(dirname "$0")/../.."
-build=$(realpath "${1:-build}")
 . tests/say.sh
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 sed -n '/^<!-- keys/,/^<!-- end of keys/p' README.md | grep '^      ' | sed 's/^    //' >"$scratch/readme"
 "$build/balloon" --help | sed -n '/^keys$/,$p' | grep '^  ' >"$scratch/help"

@@ -3,10 +3,6 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 . tests/say.sh
-build=${1:-build}
-balloon=$build/balloon
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 "$balloon" stability --quick --out "$scratch/o" >"$scratch/table"
 ok "it measures and draws" test $? = 0
@@ -19,6 +15,8 @@ for map in limit-springs limit-rubber; do
     ok "a picture of $map" test -s "$scratch/o/map-$map.svg" -a -s "$scratch/o/map-$map.png"
     ok "and what draws it again" env -C "$scratch/o" gnuplot "map-$map.gp"
 done
+ok "a panel without cells says why" grep -q "m eq 'xpbd' ? \"takes skins of springs, no membrane\"" \
+    "$scratch/o/map-limit-rubber.gp"
 
 # near its limit a stable mode of an undamped body beats by more than ten times (lab/trial.c)
 sides() {

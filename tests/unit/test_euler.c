@@ -106,14 +106,19 @@ static void undamped_spring_keeps_its_invariant(void** state) {
 
 /// truth: the exact cube, side 2, 50/10/10, 1 g, drag 0.02, area inflation 1: one degree of
 /// freedom.
+static void exact_cube_of(Mesh* mesh, Body* body) {
+    mesh_of("cube", mesh);
+    body_of(mesh, body);
+    body_add_springs(body, paper_springs, LAW_HOOKE);
+    body_inflate(body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
+    body->damping.coefficient = 0.02;
+}
+
+/// Its distance from centre to corner after the steps.
 static double exact_cube(double h, int steps) {
     Mesh mesh;
     Body body;
-    mesh_of("cube", &mesh);
-    body_of(&mesh, &body);
-    body_add_springs(&body, paper_springs, LAW_HOOKE);
-    body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
-    body.damping.coefficient = 0.02;
+    exact_cube_of(&mesh, &body);
     step(&body, h, steps);
     const double r = dlength(to_double4(body.x[0]));
     for (int i = 1; i < body.count; i++) // it stays a cube
@@ -159,11 +164,7 @@ static void exact_cube_fails_where_theory_says(void** state) {
     assert_less(fabs(exact_cube(0.98 * limit, 3000) - 1.7836), 0.01);
     Mesh mesh;
     Body body;
-    mesh_of("cube", &mesh);
-    body_of(&mesh, &body);
-    body_add_springs(&body, paper_springs, LAW_HOOKE);
-    body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
-    body.damping.coefficient = 0.02;
+    exact_cube_of(&mesh, &body);
     double r = 0;
     for (int n = 0; n < 3000 && r < most; n++) {
         step(&body, 1.02 * limit, 1);

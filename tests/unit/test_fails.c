@@ -28,66 +28,61 @@ static bool is_of_this_precision(const WorldDef* def) {
            (def->precision == PRECISION_DOUBLE) == (sizeof(real) == sizeof(double));
 }
 
+static int failures;
+
+static void fails_as_said(const char* path) {
+    if (!strstr(path, "/fails/"))
+        return;
+    World world;
+    run_exhibit(&world, path, false);
+    if (is_of_this_precision(&world.def) && !fails_seen(&world))
+        fail_msg("%s does not fail as it says", path);
+    failures++;
+    world_close(&world);
+}
+
 static void every_failure_fails_as_said(void** state) {
     (void)state;
-    char** path;
-    const int count = scene_list(&path);
-    int failures = 0;
-    for (int k = 0; k < count; k++) {
-        if (strstr(path[k], "/fails/")) {
-            World world;
-            run_exhibit(&world, path[k], false);
-            if (is_of_this_precision(&world.def) && !fails_seen(&world))
-                fail_msg("%s does not fail as it says", path[k]);
-            failures++;
-            world_close(&world);
-        }
-        free(path[k]);
-    }
-    free(path);
+    each_scene(fails_as_said);
     assert_true(failures >= 16);
+}
+
+static void is_cured(const char* path) {
+    WorldDef def;
+    Fault fault = {0};
+    assert_true(scene_load(path, NULL, 0, &def, &fault));
+    if (def.fails && def.fails->cure_count > 0) {
+        World world;
+        run_exhibit(&world, path, true);
+        double value;
+        if (world.blowup.halted || fails_seen(&world))
+            fail_msg("%s fails though it is cured: %s", path, world.blowup.text);
+        if (def.fails->truth && probe_value(&world, def.fails->output, &value))
+            assert_close(value, *def.fails->truth, 0.02);
+        world_close(&world);
+    }
+    scene_free(&def);
 }
 
 /// A cure does away with the failure, and where the right number is known, it is met: 2 % are the
 /// exhibits' coarse meshes and long steps.
 static void every_cure_cures(void** state) {
     (void)state;
-    char** path;
-    const int count = scene_list(&path);
-    for (int k = 0; k < count; k++) {
-        WorldDef def;
-        Fault fault = {0};
-        assert_true(scene_load(path[k], NULL, 0, &def, &fault));
-        if (def.fails && def.fails->cure_count > 0) {
-            World world;
-            run_exhibit(&world, path[k], true);
-            double value;
-            if (world.blowup.halted || fails_seen(&world))
-                fail_msg("%s fails though it is cured: %s", path[k], world.blowup.text);
-            if (def.fails->truth && probe_value(&world, def.fails->output, &value))
-                assert_close(value, *def.fails->truth, 0.02);
-            world_close(&world);
-        }
-        scene_free(&def);
-        free(path[k]);
-    }
-    free(path);
+    each_scene(is_cured);
+}
+
+static void fails_in_the_museum_only(const char* path) {
+    WorldDef def;
+    Fault fault = {0};
+    assert_true(scene_load(path, NULL, 0, &def, &fault));
+    assert_true((def.fails != NULL) == (strstr(path, "/fails/") != NULL));
+    scene_free(&def);
 }
 
 /// What fails lies in the museum, and nothing else does.
 static void only_the_museum_fails(void** state) {
     (void)state;
-    char** path;
-    const int count = scene_list(&path);
-    for (int k = 0; k < count; k++) {
-        WorldDef def;
-        Fault fault = {0};
-        assert_true(scene_load(path[k], NULL, 0, &def, &fault));
-        assert_true((def.fails != NULL) == (strstr(path[k], "/fails/") != NULL));
-        scene_free(&def);
-        free(path[k]);
-    }
-    free(path);
+    each_scene(fails_in_the_museum_only);
 }
 
 int main(void) {

@@ -16,65 +16,58 @@ static void check_rubber(const World* world, const char* path) {
     }
 }
 
+static void runs_and_stays_finite(const char* path) {
+    World world;
+    WORLD_OF(&world, path);
+    // an implicit step of a skin costs a hundred explicit ones
+    run_for(&world, world.method == &method_newton ? 0.25 : 5);
+    if (!is_finite(&world) || (world.blowup.halted && !world.def.fails))
+        fail_msg("%s: %s", path, world.blowup.text);
+    if (!world.def.fails)
+        check_rubber(&world, path);
+    world_close(&world);
+}
+
 /// Those of the museum of failures are test_fails.c's.
 static void every_scene_runs_and_stays_finite(void** state) {
     (void)state;
-    char** path;
-    const int count = scene_list(&path);
-    assert_true(count >= 10);
-    for (int k = 0; k < count; k++) {
-        World world;
-        WORLD_OF(&world, path[k]);
-        // an implicit step of a skin costs a hundred explicit ones
-        run_for(&world, world.method == &method_newton ? 0.25 : 5);
-        if (!is_finite(&world) || (world.blowup.halted && !world.def.fails))
-            fail_msg("%s: %s", path[k], world.blowup.text);
-        if (!world.def.fails)
-            check_rubber(&world, path[k]);
-        world_close(&world);
-        free(path[k]);
+    assert_true(each_scene(runs_and_stays_finite) >= 10);
+}
+
+static void is_about_something(const char* path) {
+    World world;
+    WORLD_OF(&world, path);
+    if (world.def.about_count == 0 || (world.def.fails && scene_outputs(&world.def) > 0))
+        fail_msg("%s must say what it is about", path);
+    for (unsigned n = 0; n < scene_outputs(&world.def); n++) {
+        probe(&world, world.def.about[n].output);
+        assert_less(world.def.about[n].at, 1.0001 * fmax(10, world.def.seconds));
     }
-    free(path);
+    world_close(&world);
 }
 
 /// Each says what it is about, outputs that it has, or why it is about none; failures are.
 static void every_scene_is_about_something(void** state) {
     (void)state;
-    char** path;
-    const int count = scene_list(&path);
-    for (int k = 0; k < count; k++) {
-        World world;
-        WORLD_OF(&world, path[k]);
-        if (world.def.about_count == 0 || (world.def.fails && scene_outputs(&world.def) > 0))
-            fail_msg("%s must say what it is about", path[k]);
-        for (unsigned n = 0; n < scene_outputs(&world.def); n++) {
-            probe(&world, world.def.about[n].output);
-            assert_less(world.def.about[n].at, 1.0001 * fmax(10, world.def.seconds));
-        }
-        world_close(&world);
-        free(path[k]);
+    each_scene(is_about_something);
+}
+
+static void starts_at_rest(const char* path) {
+    World world;
+    WORLD_OF(&world, path);
+    for (int b = 0; b < world.balloon_count; b++) {
+        const Body* body = &world.balloon[b].body;
+        assert_near(force_springs.energy(body), 0, 1e-9);
+        for (int i = 0; i < body->count; i++)
+            assert_near((double)length(body->v[i]), 0, 0);
     }
-    free(path);
+    world_close(&world);
 }
 
 /// A scene whose balloons start at rest and unstretched has no elastic energy, and no velocity.
 static void every_scene_starts_at_rest(void** state) {
     (void)state;
-    char** path;
-    const int count = scene_list(&path);
-    for (int k = 0; k < count; k++) {
-        World world;
-        WORLD_OF(&world, path[k]);
-        for (int b = 0; b < world.balloon_count; b++) {
-            const Body* body = &world.balloon[b].body;
-            assert_near(force_springs.energy(body), 0, 1e-9);
-            for (int i = 0; i < body->count; i++)
-                assert_near((double)length(body->v[i]), 0, 0);
-        }
-        world_close(&world);
-        free(path[k]);
-    }
-    free(path);
+    each_scene(starts_at_rest);
 }
 
 /// Mean height of the particles that lie in a slab of the first shape [0, 1] from low to high.

@@ -9,7 +9,7 @@ static void open_trial(Trial* trial, const Method* method, const char* const* wo
     int count = 0;
     for (; words[count + 1]; count++)
         set[count].text = words[count + 1];
-    bool refused;
+    const char* refused;
     Fault fault = {0};
     if (!trial_open(trial, words[0], set, count, method, &refused, &fault)) {
         fault_print(&fault, stderr);

@@ -1,20 +1,7 @@
 /// The closed forms of the spherical balloon at rest, against values that separate programs
 /// computed and against the laws they must keep. Golden numbers are given to the digits they were
 /// derived to.
-#include "law.h"
-#include "lab/truth.h"
-
-/// Half a unit of the last of `digits` decimals, and rounding.
-static double last(int digits) {
-    return 0.5001 * pow(10, -digits);
-}
-
-static TruthBalloon balloon_of(const char* law) {
-    TruthBalloon balloon = truth_balloon_default();
-    balloon.law = truth_law_find(law);
-    assert_non_null(balloon.law);
-    return balloon;
-}
+#include "truths.h"
 
 /// Standard E, h0 and R0: mu h0/R0 [Pa].
 static const double mu_share = 1e6 / 3 * 3e-4 / 0.1;

@@ -1,14 +1,8 @@
 /// The closed forms of particles, sheets of springs, two sewn discs and stability limits, against
 /// values that separate programs computed and against what the methods do on two numbers x and v.
-#include "law.h"
-#include "lab/truth.h"
+#include "truths.h"
 
 static const double PI = 3.14159265358979323846;
-
-/// Half a unit of the last of `digits` decimals, and rounding.
-static double last(int digits) {
-    return 0.5001 * pow(10, -digits);
-}
 
 /// x after n steps of `euler` under x'' = push - w2 x - gamma x', and its speed in *v.
 static double euler(double w2, double gamma, double push, double x, double* v, double h, int n) {

@@ -1,19 +1,6 @@
 /// The spherical balloon in motion, against values that separate programs computed, against its
 /// energy and its breathing. Golden numbers are given to the digits they were derived to.
-#include "law.h"
-#include "lab/truth.h"
-
-/// Half a unit of the last of `digits` decimals, and rounding.
-static double last(int digits) {
-    return 0.5001 * pow(10, -digits);
-}
-
-static TruthBalloon balloon_of(const char* law) {
-    TruthBalloon balloon = truth_balloon_default();
-    balloon.law = truth_law_find(law);
-    assert_non_null(balloon.law);
-    return balloon;
-}
+#include "truths.h"
 
 /// A gas of the given amount at rest at l0, whose absolute pressure goes as l^(-3 exponent).
 typedef struct Gas {

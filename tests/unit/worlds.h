@@ -61,4 +61,16 @@ static inline bool is_finite(const World* world) {
     return true;
 }
 
+/// Every shipped scene by its path; how many there are.
+static inline int each_scene(void (*visit)(const char* path)) {
+    char** path;
+    const int count = scene_list(&path);
+    for (int k = 0; k < count; k++) {
+        visit(path[k]);
+        free(path[k]);
+    }
+    free(path);
+    return count;
+}
+
 #endif

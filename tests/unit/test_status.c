@@ -1,0 +1,105 @@
+/// What the status box says of the world.
+#include "studio.h"
+#include "view/status.h"
+
+static const char* row(const Panel* panel, const char* label) {
+    for (int r = 0; r < panel->row_count; r++)
+        if (strcmp(panel->row[r].label, label) == 0)
+            return panel->row[r].value;
+    return NULL;
+}
+
+/// What a balloon does not have is not shown on it: it stays plain rubber, the key passes the mode
+/// by, and the status box says so where the mode was asked for.
+static void a_mode_of_rubber_passes_springs_by(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_thickness);
+    assert_int_equal(studio.picture.skin[0].paint, PAINT_RUBBER);
+    const Mode* mode = &mode_skin;
+    do {
+        assert_ptr_not_equal(mode, &mode_thickness);
+        assert_ptr_not_equal(mode, &mode_volume_ratio);
+        mode = mode_after(mode, &studio.world);
+    } while (mode != &mode_skin);
+
+    Panel panel = {0};
+    const Status status = {.mode = &mode_thickness, .slow = 1, .message = ""};
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&panel, "shown"), "thickness, which nothing here has");
+    studio_close(&studio);
+}
+
+static void a_scale_says_its_ends_and_unit(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, RUBBER("cube-sphere:4", ""));
+    Panel panel = {0};
+    const Status status = {.mode = &mode_thickness, .slow = 1, .message = ""};
+    picture_take(&studio.picture, &studio.world, &studio.camera, status.mode);
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&panel, "shown"), "thickness, 0.25 to 0.3 mm");
+    studio_close(&studio);
+}
+
+static void a_bad_state_is_said_before_any_message(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    Panel panel = {0};
+    const Status status = {.mode = &mode_stretch, .slow = 4, .message = "all is well"};
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(panel.message, "all is well");
+    assert_false(panel.alarm);
+    assert_true(panel.row_count > 0);
+
+    studio.world.blowup.halted = true;
+    snprintf(studio.world.blowup.text, sizeof studio.world.blowup.text, "it went bad");
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(panel.message, "it went bad");
+    assert_true(panel.alarm);
+    studio_close(&studio);
+}
+
+static void balls_are_counted_and_a_pass_through_is_said(void** state) {
+    (void)state;
+    Studio studio;
+    STUDIO(&studio, "tether");
+    Panel panel = {0};
+    const Hand hand = {.mass = 10, .radius = 0.2, .speed = 50};
+    Status status = {.mode = &mode_skin, .hand = &hand, .slow = 1, .message = ""};
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_null(row(&panel, "balls"));
+    assert_null(row(&panel, "pass-throughs"));
+
+    throw_at(&studio.world, 3, 0, 0, 0.2);
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&panel, "balls"), "1");
+    assert_string_equal(row(&panel, "next ball"), "mass 10, radius 0.2, speed 50");
+    assert_string_equal(row(&panel, "pass-throughs"), "0");
+    assert_false(panel.alarm);
+
+    studio.world.collide.pass_throughs = 2;
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&panel, "pass-throughs"), "2");
+    assert_true(panel.alarm);
+    assert_non_null(strstr(panel.message, "pass-throughs 2"));
+
+    // what the user has just asked for is read first
+    status.message = "quads";
+    status_take(&panel, &studio.world, &studio.picture, &status);
+    assert_string_equal(panel.message, "quads");
+    assert_false(panel.alarm);
+    studio_close(&studio);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_mode_of_rubber_passes_springs_by),
+        cmocka_unit_test(a_scale_says_its_ends_and_unit),
+        cmocka_unit_test(a_bad_state_is_said_before_any_message),
+        cmocka_unit_test(balls_are_counted_and_a_pass_through_is_said),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
