@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/median.h"
 #include "base/memory.h"
 #include "base/real.h"
 
@@ -100,15 +101,10 @@ void figures_add(Figures* figures, const Figure* figure) {
     fflush(stdout);
 }
 
-static int rising(const void* a, const void* b) {
-    const double x = *(const double*)a, y = *(const double*)b;
-    return (x > y) - (x < y);
-}
-
 void figures_add_samples(Figures* figures, const char* name, int particles, const char* metric,
                          const char* unit, double* sample, int count) {
-    qsort(sample, (size_t)count, sizeof *sample, rising);
-    Figure figure = {.particles = particles, .minimum = sample[0], .median = sample[count / 2]};
+    const double middle = median(sample, count);
+    Figure figure = {.particles = particles, .minimum = sample[0], .median = middle};
     snprintf(figure.name, sizeof figure.name, "%s", name);
     snprintf(figure.metric, sizeof figure.metric, "%s", metric);
     snprintf(figure.unit, sizeof figure.unit, "%s", unit);
