@@ -27,11 +27,16 @@ static Crew crew = {.lock = PTHREAD_MUTEX_INITIALIZER,
                     .end = PTHREAD_COND_INITIALIZER,
                     .threads = 1};
 
+/// This thread is at work on a part.
+static _Thread_local bool at_work;
+
 static void run_share(int thread) {
+    at_work = true;
     const int from = (int)((long)crew.parts * thread / crew.threads);
     const int to = (int)((long)crew.parts * (thread + 1) / crew.threads);
     for (int number = from; number < to; number++)
         crew.part(crew.self, number);
+    at_work = false;
 }
 
 static void breathe(void) {
@@ -98,8 +103,12 @@ void crew_set(int threads) {
     }
 }
 
+int crew_threads(void) {
+    return crew.threads;
+}
+
 void crew_run(void (*part)(void* self, int number), void* self, int parts) {
-    if (crew.threads == 1 || parts <= 1) {
+    if (crew.threads == 1 || parts <= 1 || at_work) {
         for (int number = 0; number < parts; number++)
             part(self, number);
         return;

@@ -11,8 +11,11 @@ enum { CREW_MOST = 64 };
 /// From now on `threads` share the work, the caller's one of them; 1 sends the others home.
 void crew_set(int threads);
 
+/// How many they are.
+int crew_threads(void);
+
 /// Call part(self, 0) … part(self, parts - 1), each thread a range of them in order; back when all
-/// are done.
+/// are done. A part that calls this itself runs its own parts alone.
 void crew_run(void (*part)(void* self, int number), void* self, int parts);
 
 #endif

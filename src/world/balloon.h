@@ -17,6 +17,7 @@ typedef struct Balloon {
     const Method* method;
     void* room;           ///< the method's, for this body
     Effort effort;        ///< of the last kick
+    bool solved;          ///< it was
     float color[3];       ///< sRGB 0…1
     double given;         ///< amount that the scene gives
     double hand;          ///< amount that the keys have added

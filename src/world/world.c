@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/crew.h"
 #include "base/hash.h"
 #include "base/memory.h"
 #include "force/inflation.h"
@@ -122,33 +123,74 @@ static void flow(World* world, double h) {
     }
 }
 
-static void say_factored(World* world, int b, double h) {
-    if (world->balloon[b].effort.factored)
-        snprintf(world->notice, sizeof world->notice,
-                 "balloon %d (%s): method '%s' factored its matrix for steps of %.3g s", b,
-                 world->balloon[b].def->model, world->method->name, h);
+/// A part of a step that each balloon takes by itself.
+typedef struct Pass {
+    World* world;
+    double h;
+} Pass;
+
+/// Threads share the balloons where there are enough of them, else each balloon's own parts.
+static void for_each(World* world, void (*part)(void* pass, int balloon), double h) {
+    Pass pass = {world, h};
+    if (world->balloon_count >= 2 * crew_threads())
+        crew_run(part, &pass, world->balloon_count);
+    else
+        for (int b = 0; b < world->balloon_count; b++)
+            part(&pass, b);
 }
 
-/// Kick every balloon by h. Where a method could not solve its step, none is kicked.
-static int kick(World* world, double h) {
+static void kick_balloon(void* self, int b) {
+    const Pass* pass = self;
+    const World* world = pass->world;
+    Balloon* balloon = &world->balloon[b];
+    balloon->solved = true;
+    if (balloon->body.asleep)
+        return;
     // velocities before: for what cannot be solved, and for contacts
-    const bool keep = world->method->can_fail || world->collide.sphere_count > 0;
-    for (int b = 0; b < world->balloon_count; b++) {
-        Balloon* balloon = &world->balloon[b];
-        if (balloon->body.asleep)
-            continue;
-        if (keep)
-            memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
-        const bool solved = world->method->kick(&balloon->body, balloon->room, h, &balloon->effort);
-        say_factored(world, b, h);
-        if (solved)
-            continue;
-        for (int k = 0; k <= b; k++)
-            memcpy(world->balloon[k].body.v, world->balloon[k].last_v,
-                   (size_t)world->balloon[k].body.count * sizeof(real4));
-        return b;
-    }
-    return NONE;
+    if (world->method->can_fail || world->collide.sphere_count > 0)
+        memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
+    balloon->solved = world->method->kick(&balloon->body, balloon->room, pass->h, &balloon->effort);
+}
+
+static void say_factored(World* world, double h) {
+    for (int b = 0; b < world->balloon_count; b++)
+        if (!world->balloon[b].body.asleep && world->balloon[b].effort.factored)
+            snprintf(world->notice, sizeof world->notice,
+                     "balloon %d (%s): method '%s' factored its matrix for steps of %.3g s", b,
+                     world->balloon[b].def->model, world->method->name, h);
+}
+
+/// Kick every balloon by h. Where a method could not solve its step, none is kicked, and that is
+/// returned.
+static int kick(World* world, double h) {
+    for_each(world, kick_balloon, h);
+    say_factored(world, h);
+    int bad = 0;
+    while (bad < world->balloon_count && world->balloon[bad].solved)
+        bad++;
+    if (bad == world->balloon_count)
+        return NONE;
+    for (int b = 0; b < world->balloon_count; b++)
+        if (!world->balloon[b].body.asleep)
+            memcpy(world->balloon[b].body.v, world->balloon[b].last_v,
+                   (size_t)world->balloon[b].body.count * sizeof(real4));
+    return bad;
+}
+
+static void correct_balloon(void* self, int b) {
+    const Pass* pass = self;
+    Balloon* balloon = &pass->world->balloon[b];
+    if (!balloon->body.asleep)
+        correct_velocity(&balloon->correct, &balloon->body, pass->h);
+}
+
+static void drift_balloon(void* self, int b) {
+    const Pass* pass = self;
+    Balloon* balloon = &pass->world->balloon[b];
+    if (balloon->body.asleep)
+        return;
+    pass->world->method->drift(&balloon->body, pass->h);
+    preserve_volume(&balloon->preserve, &balloon->body, pass->h);
 }
 
 /// As long as h, in one part, or in several where balls are near or a method cannot solve the
@@ -164,18 +206,10 @@ static void advance(World* world, double h) {
             }
             world->solvable = pace / 2 / whole;
         }
-        for (int b = 0; b < world->balloon_count; b++)
-            if (!world->balloon[b].body.asleep)
-                correct_velocity(&world->balloon[b].correct, &world->balloon[b].body, pace);
-
+        for_each(world, correct_balloon, pace);
         const double drift = collide_velocities(&world->collide, pace);
         collide_drift(&world->collide, drift);
-        for (int b = 0; b < world->balloon_count; b++) {
-            if (world->balloon[b].body.asleep)
-                continue;
-            world->method->drift(&world->balloon[b].body, drift);
-            preserve_volume(&world->balloon[b].preserve, &world->balloon[b].body, drift);
-        }
+        for_each(world, drift_balloon, drift);
         collide_penalty(&world->collide, drift);
         world->drift = drift;
         h -= drift;

@@ -2,6 +2,7 @@
 #include "base/crew.h"
 #include "bodies.h"
 #include "force/force.h"
+#include "worlds.h"
 
 enum { PARTS = 1000, THREADS = 5 };
 
@@ -21,6 +22,42 @@ static void every_part_is_done_once(void** state) {
         crew_run(count_part, done, 0);
     }
     crew_set(1);
+}
+
+/// A row of parts that has rows of its own.
+static void count_row(void* self, int number) {
+    crew_run(count_part, (int(*)[PARTS])self + number, PARTS);
+}
+
+static void a_part_has_parts_of_its_own(void** state) {
+    (void)state;
+    for (int threads = 1; threads <= THREADS; threads++) {
+        crew_set(threads);
+        int done[2 * THREADS][PARTS] = {{0}};
+        crew_run(count_row, done, 2 * THREADS);
+        for (int row = 0; row < 2 * THREADS; row++)
+            for (int k = 0; k < PARTS; k++)
+                assert_int_equal(done[row][k], 1);
+    }
+    crew_set(1);
+}
+
+/// Thirty balloons, which the threads share.
+static void balloons_are_shared_by_threads(void** state) {
+    (void)state;
+    uint64_t one = 0;
+    for (int threads = 1; threads <= 3; threads++) {
+        World world;
+        WORLD_OF(&world, "crowd");
+        assert_true(world.balloon_count >= 2 * threads);
+        crew_set(threads);
+        run_for(&world, 0.1);
+        crew_set(1);
+        if (threads == 1)
+            one = world_hash(&world);
+        assert_true(world_hash(&world) == one);
+        world_close(&world);
+    }
 }
 
 /// Springs, rubber and gas on a skin of many parts, some steps.
@@ -98,6 +135,8 @@ static void parts_of_a_membrane_are_apart(void** state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_part_is_done_once),
+        cmocka_unit_test(a_part_has_parts_of_its_own),
+        cmocka_unit_test(balloons_are_shared_by_threads),
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(parts_of_a_membrane_are_apart),
     };
