@@ -1,5 +1,6 @@
 #include "base/cpu.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,8 +17,9 @@ static bool look(void) {
 }
 
 bool cpu_is_v3(void) {
-    static int known = -1;
-    if (known < 0)
-        known = look();
-    return known;
+    static atomic_int known = -1; // whichever thread asks first
+    int now = atomic_load_explicit(&known, memory_order_relaxed);
+    if (now < 0)
+        atomic_store_explicit(&known, now = look(), memory_order_relaxed);
+    return now;
 }
