@@ -1,7 +1,8 @@
 # make run      install what is missing, build, open the default scene (or render it to out/)
 # make test     install what is missing, build, run all tests in both precisions
 # make check    format, include layers, headers alone, gcc and clang with warnings as errors,
-#               all tests under the address and undefined-behaviour sanitizers
+#               all tests under the address and undefined-behaviour sanitizers, those of threads
+#               under the thread sanitizer
 # make chart    chart speed against accuracy to out/chart, and the README's table and picture of it
 # make bench    measure and print speed
 # make format   rewrite the sources as clang-format has them
@@ -76,6 +77,9 @@ check: packages-build packages-run packages-test packages-check
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/sanitized \
 	    EXTRA="-Werror -fsanitize=address,undefined -fno-sanitize-recover=all" programs tests
 	@tests/run.sh build/sanitized
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/threads EXTRA="-Werror -fsanitize=thread" \
+	    build/threads/float/tests/test_crew
+	@build/threads/float/tests/test_crew
 
 bench: packages-build
 	@$(MAKE) --no-print-directory -j$(JOBS) programs
