@@ -20,7 +20,7 @@ static void sweep_part(void* self, int part) {
     const Job* job = self;
     const Body* body = job->body;
     const Slices* slices = &body->slices;
-    if (job->wanted & SWEEP_CLEAR)
+    if (job->wanted & SWEEP_CLEAR && !(job->wanted & SWEEP_SPRINGS))
         memset(&body->f[part * PART_PARTICLES], 0,
                (size_t)(part_end(slices, part) * LANES - part * PART_PARTICLES) * sizeof(real4));
     const SweepSums sums =
