@@ -87,6 +87,18 @@ static void put(Maker* maker, int neighbour) {
     maker->met[neighbour] = NONE; // a neighbour that comes twice has its spring once
 }
 
+/// Slots beside the ring, by the numbers of their neighbours: then they are in the same directions
+/// all along a front.
+static void sort_left(Maker* maker) {
+    int *neighbour = maker->neighbour, *end = maker->end;
+    for (int k = 2 * maker->faces + 1; k < maker->slots; k++)
+        for (int j = k; j > 2 * maker->faces && neighbour[j] < neighbour[j - 1]; j--) {
+            const int other[2] = {neighbour[j], end[j]};
+            neighbour[j] = neighbour[j - 1], end[j] = end[j - 1];
+            neighbour[j - 1] = other[0], end[j - 1] = other[1];
+        }
+}
+
 /// The slots of one particle: its ring, and the springs that are left.
 static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
     const Mesh* mesh = maker->mesh;
@@ -108,6 +120,7 @@ static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
         if (maker->met[neighbour] == end)
             put(maker, neighbour);
     }
+    sort_left(maker);
 }
 
 /// Is face k of the maker's particle counted there?
@@ -157,6 +170,13 @@ static void take_lane(Slices* slices, const Maker* maker, int particle) {
             slices->counted[slices->counted_from[slice] + k][lane] = 1;
 }
 
+static bool is_row(const uint32_t place[LANES]) {
+    for (int k = 1; k < LANES; k++)
+        if (place[k] != place[k - 1] + sizeof(real4))
+            return false;
+    return true;
+}
+
 static int most_between(const int* from, int count) {
     int most = 0;
     for (int i = 0; i < count; i++)
@@ -199,6 +219,11 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
         make_lane(&maker, i, ring);
         take_lane(slices, &maker, i);
     }
+    slices->row = new_array(bool, slots);
+    for (int k = 0; k < slots; k++)
+        slices->row[k] = is_row(slices->place[k]);
+    for (int k = 0; k < 3; k++)
+        slices->line[k] = new_array(real, slices->count * LANES);
     free(ring);
     free(maker.met);
     free(maker.spring_from);
@@ -214,6 +239,9 @@ void slices_free(Slices* slices) {
     free(slices->counted);
     free(slices->sum);
     free(slices->place);
+    free(slices->row);
+    for (int k = 0; k < 3; k++)
+        free(slices->line[k]);
     free(slices->stiffness);
     free(slices->rest);
     free(slices->spring);

@@ -31,12 +31,24 @@ static const lanes none = {0};
 enum { SWEEP_OPEN = 32 }; ///< the skin has a rim
 enum { FACES = 8 };       ///< of a ring, looked at together: most rings have fewer
 
+/// Eight particles that follow each other.
+static ALWAYS Lanes3 row_from(const Slices* s, size_t i) {
+    return (Lanes3){lanes_load(&s->line[0][i]), lanes_load(&s->line[1][i]),
+                    lanes_load(&s->line[2][i])};
+}
+
+/// The neighbours in a slot.
+static ALWAYS Lanes3 neighbours(const Slices* s, int slot, const real4* x) {
+    return s->row[slot] ? row_from(s, s->place[slot][0] / sizeof(real4))
+                        : lanes3_gather(x, s->place[slot]);
+}
+
 /// Neighbours of eight particles at a, from a slot on: where they are as seen from a, into `at` if
 /// it is not NULL. Returns f and the springs' pull to them.
 static ALWAYS Lanes3 look_around(const Slices* s, int slot, int count, const real4* restrict x,
                                  Lanes3 a, unsigned wanted, SpringLaw law, Lanes3 f, Lanes3* at) {
     for (int k = 0; k < count; k++) {
-        const Lanes3 d = lanes3_minus(lanes3_gather(x, s->place[slot + k]), a);
+        const Lanes3 d = lanes3_minus(neighbours(s, slot + k, x), a);
         if (at)
             at[k] = d;
         if (wanted & SWEEP_SPRINGS)
@@ -124,7 +136,7 @@ static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const re
     const Lanes3 origin = {x[0][0] + none, x[0][1] + none, x[0][2] + none};
     for (int slice = from; slice < to; slice++) {
         const int i = slice * LANES;
-        const Lanes3 a = lanes3_load(&x[i]);
+        const Lanes3 a = row_from(s, (size_t)i);
         Around around = {.area = {0}};
         if (wanted & SWEEP_SPRINGS && !clear)
             around.f = lanes3_load(&f[i]);
@@ -179,6 +191,15 @@ static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x,
                        : wanted & SWEEP_VOLUME    ? 3
                                                   : 1;
     return table[row][column](s, from, to, x, wanted & SWEEP_CLEAR, f, gradient);
+}
+
+static void split(const real4* restrict x, int from, int to, real* const line[3]) {
+    for (int i = from; i < to; i += LANES) {
+        const Lanes3 a = lanes3_load(&x[i]);
+        lanes_store(&line[0][i], a.x);
+        lanes_store(&line[1][i], a.y);
+        lanes_store(&line[2][i], a.z);
+    }
 }
 
 static ALWAYS lanes length_of(Lanes3 a) {
@@ -261,7 +282,7 @@ static void add_uniform_wanted(const Uniform* uniform, int from, int to, const r
 }
 
 #ifdef KERNEL_V3
-const Kernels kernels_v3 = {sweep_wanted, steep, add_uniform_wanted};
+const Kernels kernels_v3 = {split, sweep_wanted, steep, add_uniform_wanted};
 #else
-const Kernels kernels_baseline = {sweep_wanted, steep, add_uniform_wanted};
+const Kernels kernels_baseline = {split, sweep_wanted, steep, add_uniform_wanted};
 #endif
