@@ -35,19 +35,29 @@ static Corners corners_at(const Mesh* mesh, int face, int a) {
                      corner[(k + corners - 1) % corners]};
 }
 
-/// Where a walk around a point begins: the first face of a fan, any face of a closed ring.
+/// A face is counted at its corner of the lowest number: one of each, for a quad mesh has about as
+/// many faces as points, and next to each other, for points are numbered along a front.
+static bool is_lowest(int a, Corners corners) {
+    return a < corners.b && a < corners.c && a < corners.d;
+}
+
+/// Where a walk around a point begins: the first face of a fan; on a closed ring where those begin
+/// that are counted at it, if any.
 static Corners first_face(const Mesh* mesh, int a) {
     const int *from = &mesh->point_face[mesh->point_face_from[a]],
               *to = &mesh->point_face[mesh->point_face_from[a + 1]];
+    Corners first = corners_at(mesh, *from, a);
     for (const int* f = from; f < to; f++) {
         const Corners here = corners_at(mesh, *f, a);
-        bool has_before = false;
-        for (const int* g = from; g < to && !has_before; g++)
-            has_before = corners_at(mesh, *g, a).d == here.b;
-        if (!has_before)
+        const int* before = from;
+        while (before < to && corners_at(mesh, *before, a).d != here.b)
+            before++;
+        if (before == to)
             return here;
+        if (is_lowest(a, here) && !is_lowest(a, corners_at(mesh, *before, a)))
+            first = here;
     }
-    return corners_at(mesh, *from, a);
+    return first;
 }
 
 /// The faces around a point in their order, b and c of each into `ring`. Returns the pairs. The
@@ -77,6 +87,18 @@ static void put(Maker* maker, int neighbour) {
     maker->met[neighbour] = NONE; // a neighbour that comes twice has its spring once
 }
 
+/// Slots beside the ring, by the numbers of their neighbours: then they are in the same directions
+/// all along a front.
+static void sort_left(Maker* maker) {
+    int *neighbour = maker->neighbour, *end = maker->end;
+    for (int k = 2 * maker->faces + 1; k < maker->slots; k++)
+        for (int j = k; j > 2 * maker->faces && neighbour[j] < neighbour[j - 1]; j--) {
+            const int other[2] = {neighbour[j], end[j]};
+            neighbour[j] = neighbour[j - 1], end[j] = end[j - 1];
+            neighbour[j - 1] = other[0], end[j - 1] = other[1];
+        }
+}
+
 /// The slots of one particle: its ring, and the springs that are left.
 static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
     const Mesh* mesh = maker->mesh;
@@ -98,18 +120,29 @@ static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
         if (maker->met[neighbour] == end)
             put(maker, neighbour);
     }
+    sort_left(maker);
 }
 
-/// How many slots each slice has.
+/// Is face k of the maker's particle counted there?
+static bool is_counted(const Maker* maker, int particle, int k) {
+    const int* at = &maker->neighbour[2 * k];
+    const int next = k + 1 < maker->faces ? at[2] : maker->neighbour[0];
+    return is_lowest(particle, (Corners){at[0], at[1], next});
+}
+
+/// How many slots each slice has, and pairs of them up to the last one that is counted.
 static int count_slots(Slices* slices, Maker* maker, int count, int (*ring)[2]) {
     for (int s = 0; s < slices->count; s++) {
-        int beside = 0;
+        int beside = 0, counted = 0;
         for (int i = s * LANES; i < s * LANES + LANES && i < count; i++) {
             make_lane(maker, i, ring);
             const int others = maker->slots - 2 * maker->faces;
             slices->faces[s] = maker->faces > slices->faces[s] ? maker->faces : slices->faces[s];
             beside = others > beside ? others : beside;
+            for (int k = counted; k < maker->faces; k++)
+                counted = is_counted(maker, i, k) ? k + 1 : counted;
         }
+        slices->counted_from[s + 1] = slices->counted_from[s] + counted;
         slices->from[s + 1] = slices->from[s] + 2 * slices->faces[s] + beside;
     }
     return slices->from[slices->count];
@@ -132,6 +165,16 @@ static void take_lane(Slices* slices, const Maker* maker, int particle) {
         slices->stiffness[from + k][lane] = maker->springs->active[end / 2];
         slices->spring[end / 2][end % 2] = (from + k) * LANES + lane;
     }
+    for (int k = 0; k < maker->faces; k++)
+        if (is_counted(maker, particle, k))
+            slices->counted[slices->counted_from[slice] + k][lane] = 1;
+}
+
+static bool is_row(const uint32_t place[LANES]) {
+    for (int k = 1; k < LANES; k++)
+        if (place[k] != place[k - 1] + sizeof(real4))
+            return false;
+    return true;
 }
 
 static int most_between(const int* from, int count) {
@@ -145,6 +188,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     *slices = (Slices){.count = (count + LANES - 1) / LANES};
     slices->from = new_array(int, slices->count + 1);
     slices->faces = new_array(int, slices->count);
+    slices->counted_from = new_array(int, slices->count + 1);
     slices->sum = new_array(double[3], parts_of(slices->count, PART_SLICES));
     Maker maker = {.mesh = mesh, .springs = springs, .met = new_array(int, count)};
     for (int i = 0; i < count; i++)
@@ -166,6 +210,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
 
     const int slots = count_slots(slices, &maker, count, ring);
     slices->place = new_array(uint32_t[LANES], slots);
+    slices->counted = new_array(real[LANES], slices->counted_from[slices->count]);
     if (springs) {
         slices->stiffness = new_array(real[LANES], slots);
         slices->rest = new_array(real[LANES], slots);
@@ -174,6 +219,11 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
         make_lane(&maker, i, ring);
         take_lane(slices, &maker, i);
     }
+    slices->row = new_array(bool, slots);
+    for (int k = 0; k < slots; k++)
+        slices->row[k] = is_row(slices->place[k]);
+    for (int k = 0; k < 3; k++)
+        slices->line[k] = new_array(real, slices->count * LANES);
     free(ring);
     free(maker.met);
     free(maker.spring_from);
@@ -185,8 +235,13 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
 void slices_free(Slices* slices) {
     free(slices->from);
     free(slices->faces);
+    free(slices->counted_from);
+    free(slices->counted);
     free(slices->sum);
     free(slices->place);
+    free(slices->row);
+    for (int k = 0; k < 3; k++)
+        free(slices->line[k]);
     free(slices->stiffness);
     free(slices->rest);
     free(slices->spring);

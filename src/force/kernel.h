@@ -7,6 +7,9 @@
 #include "force/uniform.h"
 
 typedef struct Kernels {
+    /// line[k][i] = x[i][k], particles from … to - 1, whole slices.
+    void (*split)(const real4* x, int from, int to, real* const line[3]);
+
     /// sweep.h, over slices from … to - 1. gradient: NULL where it is not wanted.
     SweepSums (*sweep)(const Slices* slices, int from, int to, const real4* x, unsigned wanted,
                        SpringLaw law, real4* f, real4* gradient);

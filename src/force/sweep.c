@@ -16,11 +16,17 @@ static int part_end(const Slices* slices, int part) {
     return end < slices->count ? end : slices->count;
 }
 
+static void split_part(void* self, int part) {
+    const Body* body = ((const Job*)self)->body;
+    kernels()->split(body->x, part * PART_PARTICLES, part_end(&body->slices, part) * LANES,
+                     body->slices.line);
+}
+
 static void sweep_part(void* self, int part) {
     const Job* job = self;
     const Body* body = job->body;
     const Slices* slices = &body->slices;
-    if (job->wanted & SWEEP_CLEAR)
+    if (job->wanted & SWEEP_CLEAR && !(job->wanted & SWEEP_SPRINGS))
         memset(&body->f[part * PART_PARTICLES], 0,
                (size_t)(part_end(slices, part) * LANES - part * PART_PARTICLES) * sizeof(real4));
     const SweepSums sums =
@@ -33,6 +39,7 @@ static void sweep_part(void* self, int part) {
 SweepSums sweep(const Body* body, unsigned wanted) {
     const Slices* slices = &body->slices;
     const int parts = wanted ? parts_of(slices->count, PART_SLICES) : 0;
+    crew_run(split_part, &(Job){body, wanted}, parts);
     crew_run(sweep_part, &(Job){body, wanted}, parts);
     SweepSums sums = {0};
     for (int part = 0; part < parts; part++) {

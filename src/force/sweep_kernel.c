@@ -29,50 +29,94 @@ static ALWAYS lane_mask same_place(const uint32_t* b, const uint32_t* c) {
 
 static const lanes none = {0};
 enum { SWEEP_OPEN = 32 }; ///< the skin has a rim
+enum { FACES = 8 };       ///< of a ring, looked at together: most rings have fewer
+
+/// Eight particles that follow each other.
+static ALWAYS Lanes3 row_from(const Slices* s, size_t i) {
+    return (Lanes3){lanes_load(&s->line[0][i]), lanes_load(&s->line[1][i]),
+                    lanes_load(&s->line[2][i])};
+}
+
+/// The neighbours in a slot.
+static ALWAYS Lanes3 neighbours(const Slices* s, int slot, const real4* x) {
+    return s->row[slot] ? row_from(s, s->place[slot][0] / sizeof(real4))
+                        : lanes3_gather(x, s->place[slot]);
+}
+
+/// Neighbours of eight particles at a, from a slot on: where they are as seen from a, into `at` if
+/// it is not NULL. Returns f and the springs' pull to them.
+static ALWAYS Lanes3 look_around(const Slices* s, int slot, int count, const real4* restrict x,
+                                 Lanes3 a, unsigned wanted, SpringLaw law, Lanes3 f, Lanes3* at) {
+    for (int k = 0; k < count; k++) {
+        const Lanes3 d = lanes3_minus(neighbours(s, slot + k, x), a);
+        if (at)
+            at[k] = d;
+        if (wanted & SWEEP_SPRINGS)
+            f = lanes3_plus(f, pull_of(law, d, s->stiffness[slot + k], s->rest[slot + k]));
+    }
+    return f;
+}
+
+/// Twice the area vector of the triangle between c, the b before and the b after.
+static ALWAYS Lanes3 two_areas(const Lanes3* b) {
+    return lanes3_cross(b[1], lanes3_minus(b[2], b[0]));
+}
+
+/// What faces add to 12 dV/da [m^2]. at: b0 c0 b1 c1 ... and the b that closes the last one
+static ALWAYS Lanes3 gradient_of(const Slices* s, int slot, int faces, const Lanes3* at,
+                                 unsigned wanted, Lanes3 sum) {
+    for (int k = 0; k < 2 * faces; k += 2) {
+        const Lanes3* b = &at[k];
+        if (wanted & SWEEP_OPEN) {
+            const lane_mask triangle = same_place(s->place[slot + k], s->place[slot + k + 1]);
+            const lanes share = lanes_select(triangle, 2 + none, (real)1.5 + none);
+            sum = lanes3_plus(sum, lanes3_times(share, two_areas(b)));
+        } else {
+            const Lanes3 across = lanes3_minus(b[2], b[0]);
+            sum = lanes3_plus(sum, lanes3_cross(lanes3_plus(b[0], b[1]), across));
+        }
+    }
+    return sum;
+}
+
+/// Twice the area of the faces that are counted [m^2].
+static ALWAYS lanes area_of(const Slices* s, int counted, int faces, const Lanes3* at, lanes sum) {
+    for (int k = 0; k < faces; k++) {
+        const Lanes3 area = two_areas(&at[2 * k]);
+        sum += lanes_load(s->counted[counted + k]) * lanes_sqrt(lanes3_dot(area, area));
+    }
+    return sum;
+}
 
 /// What is summed up around eight particles.
 typedef struct Around {
     Lanes3 f;        ///< [N]
     Lanes3 gradient; ///< 12 times [m^2]
-    lanes area;      ///< 8 times their share [m^2]
+    lanes area;      ///< twice that of the faces that are counted there [m^2]
 } Around;
-
-/// A corner's share in a face, `across` from b to the corner before.
-static ALWAYS void take_face(Around* around, unsigned wanted, Lanes3 b, Lanes3 c, Lanes3 across,
-                             lane_mask triangle) {
-    if (!(wanted & SWEEP_AREA)) { // one product for both
-        around->gradient = lanes3_plus(around->gradient, lanes3_cross(lanes3_plus(b, c), across));
-        return;
-    }
-    const Lanes3 two_areas = lanes3_cross(c, across);
-    const lanes share = lanes_select(triangle, (real)4 / 3 + none, 1 + none);
-    around->area += share * lanes_sqrt(lanes3_dot(two_areas, two_areas));
-    around->gradient =
-        wanted & SWEEP_OPEN
-            ? lanes3_plus(around->gradient, lanes3_times((real)1.5 * share, two_areas))
-            : lanes3_plus(lanes3_plus(around->gradient, two_areas), lanes3_cross(b, across));
-}
 
 /// The faces around eight particles at a, and the springs to their corners. Returns the next slot.
 static ALWAYS int go_round(const Slices* s, int slice, const real4* x, Lanes3 a, unsigned wanted,
                            SpringLaw law, Around* around) {
-    int slot = s->from[slice];
-    const Lanes3 first = lanes3_minus(lanes3_gather(x, s->place[slot]), a);
-    Lanes3 b = first;
-    for (int k = s->faces[slice]; k > 0; k--, slot += 2) {
-        const Lanes3 c = lanes3_minus(lanes3_gather(x, s->place[slot + 1]), a);
-        if (wanted & SWEEP_SPRINGS) {
-            const Lanes3 to_b = pull_of(law, b, s->stiffness[slot], s->rest[slot]);
-            const Lanes3 to_c = pull_of(law, c, s->stiffness[slot + 1], s->rest[slot + 1]);
-            around->f = lanes3_plus(lanes3_plus(around->f, to_b), to_c);
-        }
-        const Lanes3 next = k > 1 ? lanes3_minus(lanes3_gather(x, s->place[slot + 2]), a) : first;
-        if (wanted & SWEEP_GRADIENT)
-            take_face(around, wanted, b, c, lanes3_minus(next, b),
-                      same_place(s->place[slot], s->place[slot + 1]));
-        b = next;
+    const int faces = s->faces[slice], from = s->from[slice];
+    const int counted = s->counted_from[slice], count = s->counted_from[slice + 1] - counted;
+    Lanes3 at[2 * FACES + 1], first;
+    for (int k = 0; k < faces; k += FACES) {
+        const int slot = from + 2 * k, together = faces - k < FACES ? faces - k : FACES;
+        around->f = look_around(s, slot, 2 * together, x, a, wanted, law, around->f, at);
+        if (!(wanted & SWEEP_GRADIENT))
+            continue;
+        if (k == 0)
+            first = at[0];
+        at[2 * together] = k + together < faces
+                               ? lanes3_minus(lanes3_gather(x, s->place[slot + 2 * together]), a)
+                               : first;
+        around->gradient = gradient_of(s, slot, together, at, wanted, around->gradient);
+        if (wanted & SWEEP_AREA)
+            around->area = area_of(s, counted + k, count - k < together ? count - k : together, at,
+                                   around->area);
     }
-    return slot;
+    return from + 2 * faces;
 }
 
 /// Sums of eight lanes in double; lanes a and a + 4 together.
@@ -86,25 +130,20 @@ static ALWAYS double sum_of(double4 a) {
 }
 
 static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const real4* restrict x,
-                                     unsigned wanted, SpringLaw law, real4* restrict f,
+                                     unsigned wanted, bool clear, SpringLaw law, real4* restrict f,
                                      real4* restrict gradient) {
     double4 area = {0}, volume = {0};
     const Lanes3 origin = {x[0][0] + none, x[0][1] + none, x[0][2] + none};
     for (int slice = from; slice < to; slice++) {
         const int i = slice * LANES;
-        const Lanes3 a = lanes3_load(&x[i]);
+        const Lanes3 a = row_from(s, (size_t)i);
         Around around = {.area = {0}};
-        if (wanted & SWEEP_SPRINGS)
+        if (wanted & SWEEP_SPRINGS && !clear)
             around.f = lanes3_load(&f[i]);
-        int slot = s->from[slice];
-        if (s->faces[slice])
-            slot = go_round(s, slice, x, a, wanted, law, &around);
+        const int beside = go_round(s, slice, x, a, wanted, law, &around);
         if (wanted & SWEEP_SPRINGS) {
-            for (; slot < s->from[slice + 1]; slot++) {
-                const Lanes3 d = lanes3_minus(lanes3_gather(x, s->place[slot]), a);
-                around.f =
-                    lanes3_plus(around.f, pull_of(law, d, s->stiffness[slot], s->rest[slot]));
-            }
+            const int left = s->from[slice + 1] - beside;
+            around.f = look_around(s, beside, left, x, a, wanted, law, around.f, NULL);
             lanes3_store(&f[i], around.f);
         }
         if (wanted & SWEEP_GRADIENT) {
@@ -115,13 +154,13 @@ static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const re
                 volume += to_sums(lanes3_dot(lanes3_minus(a, origin), g));
         }
     }
-    return (SweepSums){sum_of(area) / 8, sum_of(volume) / 3};
+    return (SweepSums){sum_of(area) / 2, sum_of(volume) / 3};
 }
 
 #define SWEEP(name, wanted, law)                                                                   \
-    static SweepSums name(const Slices* s, int from, int to, const real4* x, real4* f,             \
+    static SweepSums name(const Slices* s, int from, int to, const real4* x, bool clear, real4* f, \
                           real4* gradient) {                                                       \
-        return sweep_slices(s, from, to, x, wanted, law, f, gradient);                             \
+        return sweep_slices(s, from, to, x, wanted, clear, law, f, gradient);                      \
     }
 #define SWEEPS_OF(law_name, springs, law)                                                          \
     SWEEP(law_name##_gradient, springs | SWEEP_GRADIENT, law)                                      \
@@ -138,7 +177,8 @@ SWEEPS_OF(alone, 0, LAW_HOOKE)
 
 static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x, unsigned wanted,
                               SpringLaw law, real4* f, real4* gradient) {
-    static SweepSums (*const table[][5])(const Slices*, int, int, const real4*, real4*, real4*) = {
+    static SweepSums (*const table[][5])(const Slices*, int, int, const real4*, bool, real4*,
+                                         real4*) = {
         [LAW_HOOKE] = {hooke, hooke_gradient, hooke_area, hooke_volume, hooke_open},
         [LAW_RUBBER] = {rubber, rubber_gradient, rubber_area, rubber_volume, rubber_open},
         [LAW_TENSION] = {tension, tension_gradient, tension_area, tension_volume, tension_open},
@@ -150,7 +190,16 @@ static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x,
                        : wanted & SWEEP_AREA      ? 2
                        : wanted & SWEEP_VOLUME    ? 3
                                                   : 1;
-    return table[row][column](s, from, to, x, f, gradient);
+    return table[row][column](s, from, to, x, wanted & SWEEP_CLEAR, f, gradient);
+}
+
+static void split(const real4* restrict x, int from, int to, real* const line[3]) {
+    for (int i = from; i < to; i += LANES) {
+        const Lanes3 a = lanes3_load(&x[i]);
+        lanes_store(&line[0][i], a.x);
+        lanes_store(&line[1][i], a.y);
+        lanes_store(&line[2][i], a.z);
+    }
 }
 
 static ALWAYS lanes length_of(Lanes3 a) {
@@ -233,7 +282,7 @@ static void add_uniform_wanted(const Uniform* uniform, int from, int to, const r
 }
 
 #ifdef KERNEL_V3
-const Kernels kernels_v3 = {sweep_wanted, steep, add_uniform_wanted};
+const Kernels kernels_v3 = {split, sweep_wanted, steep, add_uniform_wanted};
 #else
-const Kernels kernels_baseline = {sweep_wanted, steep, add_uniform_wanted};
+const Kernels kernels_baseline = {split, sweep_wanted, steep, add_uniform_wanted};
 #endif

@@ -124,9 +124,9 @@ static Machine measure_machine(Figures* figures, int rounds) {
 /// Bytes of all arrays that a step reads or writes.
 static double bytes_touched(const Body* body) {
     const Slices* slices = &body->slices;
-    const double state = body->count * (4.0 * sizeof(real4) + 2 * sizeof(real));
-    const double slot = sizeof(uint32_t) + (body->springs.count ? 2 * sizeof(real) : 0);
-    const double slots = (double)slices->from[slices->count] * LANES * slot;
+    const double state = body->count * (4.0 * sizeof(real4) + 5 * sizeof(real));
+    const double slot = LANES * (sizeof(uint32_t) + (body->springs.count ? 2 * sizeof(real) : 0));
+    const double slots = slices->from[slices->count] * (slot + sizeof(bool));
     const double element = 3 * sizeof(uint32_t) + 4 * sizeof(real);
     return state + slots + (double)body->membrane.eights * LANES * element;
 }

@@ -8,17 +8,50 @@
 #include "mesh/group.h"
 #include "mesh/order.h"
 
+/// Item 2 e + k is end k of edge e; the neighbour that it stands for is the other end.
+static int neighbour_of(const Edges* edges, int item) {
+    return edges->end[item / 2][1 - item % 2];
+}
+
+/// The neighbour that follows in the turn around a point: in the face to the left of the edge to
+/// this one, the corner before the point. NONE on a rim.
+static int next_around(const Edges* edges, const int (*face)[4], int item) {
+    const int point = edges->end[item / 2][item % 2];
+    for (int k = 0; k < 2; k++) {
+        const int side = edges->side[item / 2][k];
+        if (side == NONE || face[side / 4][side % 4] != point)
+            continue;
+        const int corners = face_corners(face[side / 4]);
+        return face[side / 4][(side % 4 + corners - 1) % corners];
+    }
+    return NONE;
+}
+
+/// Bring a point's neighbours into the order in which they lie around it.
+static void turn(const Edges* edges, const int (*face)[4], int count, int* item) {
+    for (int i = 1; i < count; i++) {
+        const int next = next_around(edges, face, item[i - 1]);
+        for (int k = i; k < count; k++)
+            if (neighbour_of(edges, item[k]) == next) {
+                const int here = item[i];
+                item[i] = item[k];
+                item[k] = here;
+            }
+    }
+}
+
 /// loaded and inside: the points in the order in which a walk along the edges meets them.
-static void number_points(Mesh* mesh, const Edges* edges) {
+static void number_points(Mesh* mesh, const Edges* edges, const int (*face)[4]) {
     const int points = mesh->point_count;
     const int ends = 2 * edges->count;
     int* from = new_array(int, points + 1);
     int* neighbour = new_array(int, ends);
 
-    // item 2 e + k is end k of edge e; the neighbour that it stands for is the other end
     group_by_key(edges->end[0], ends, points, from, neighbour);
+    for (int p = 0; p < points; p++)
+        turn(edges, face, from[p + 1] - from[p], &neighbour[from[p]]);
     for (int i = 0; i < ends; i++)
-        neighbour[i] = edges->end[neighbour[i] / 2][1 - neighbour[i] % 2];
+        neighbour[i] = neighbour_of(edges, neighbour[i]);
 
     mesh->loaded = new_array(int, points);
     mesh->inside = new_array(int, points);
@@ -104,7 +137,7 @@ void mesh_make(Mesh* mesh, const double4* point, int point_count, const int (*fa
     Edges edges;
     edges_find(&edges, face, face_count, point_count);
 
-    number_points(mesh, &edges);
+    number_points(mesh, &edges, face);
     take_points(mesh, point);
     take_faces(mesh, face);
     take_edges(mesh, &edges);

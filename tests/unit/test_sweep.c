@@ -117,6 +117,7 @@ static SweepSums one_step(const Kernels* with, Body* body, unsigned wanted) {
     const Uniform uniform = {
         .acceleration = {0, (real)-9.8, 0, 0}, .pressure = 3, .drag = 0.02, .rate = 0.7};
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
+    with->split(body->x, 0, body->slices.count * LANES, body->slices.line);
     const SweepSums sums = with->sweep(&body->slices, 0, body->slices.count, body->x, wanted,
                                        body->springs.law, body->f, body->inflation.gradient);
     with->uniform(&uniform, 0, body->count,
