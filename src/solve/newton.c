@@ -165,7 +165,7 @@ static double ready(Body* body, Room* room, double h, bool project) {
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i]));
     }
     const bool all = project || room->levels_h != h;
-    multilevel_ready(&room->levels, all);
+    multilevel_ready(&room->levels, body->x, all);
     if (all)
         room->fresh = room->age = 0;
     room->age++;
