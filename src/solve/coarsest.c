@@ -21,6 +21,7 @@ void coarsest_open(Coarsest* coarsest, const BlockMatrix* matrix) {
         .first = new_array(int, count),
         .from = new_array(int, count + 1),
         .inverse = new_array(real, count * LANES),
+        .turned = new_array(Tile, count),
         .y = new_array(real, count * LANES),
     };
     for (int c = 0; c < count; c++)
@@ -45,7 +46,7 @@ void coarsest_follow(Coarsest* coarsest, const BlockMatrix* matrix) {
             for (int n = 0; n < 3; n++) {
                 const int column = 3 * matrix->column[k] + n;
                 if (column <= row)
-                    tile[column / LANES].column[column % LANES][row % LANES] =
+                    tile[column / LANES].row[row % LANES][column % LANES] =
                         matrix->value[k].column[n][row % 3];
             }
     }
@@ -66,6 +67,7 @@ void coarsest_close(Coarsest* coarsest) {
     free(coarsest->from);
     free(coarsest->tile);
     free(coarsest->inverse);
+    free(coarsest->turned);
     free(coarsest->y);
     *coarsest = (Coarsest){0};
 }

@@ -11,8 +11,7 @@
 #include "force/block_matrix.h"
 
 typedef struct Tile {
-    real row[LANES][LANES];    ///< [row][column]
-    real column[LANES][LANES]; ///< [column][row]
+    real row[LANES][LANES]; ///< [row][column]
 } Tile;
 
 typedef struct Coarsest {
@@ -21,6 +20,7 @@ typedef struct Coarsest {
     int* from;     ///< [count + 1] first tile
     Tile* tile;    ///< [from[count]]
     real* inverse; ///< [count * LANES] of L's diagonal, 0 of what is left out
+    Tile* turned;  ///< [count] scratch: a row of tiles by [column][row]
     real* y;       ///< [count * LANES] scratch
 } Coarsest;
 
@@ -36,7 +36,7 @@ void coarsest_close(Coarsest* coarsest);
 
 /// The loops over tiles, in as many compilations as there are kinds of machine (base/cpu.h).
 typedef struct CoarsestKernels {
-    /// L in place of A's lower half, which the tiles' columns hold.
+    /// L in place of A's lower half.
     void (*factor)(Coarsest* coarsest);
 
     /// y = (L L^T)^-1 y

@@ -8,10 +8,10 @@ static ALWAYS Tile* tile_of(const Coarsest* coarsest, int c, int d) {
     return &coarsest->tile[coarsest->from[c] + d - coarsest->first[c]];
 }
 
-/// columns -= L_ce L_de^T, eight columns of eight rows
+/// columns -= L_ce L_de^T, eight columns of eight rows; L_ce by columns
 static ALWAYS void take_product(lanes columns[LANES], const Tile* ce, const Tile* de) {
     for (int k = 0; k < LANES; k++) {
-        const lanes column = lanes_load(ce->column[k]);
+        const lanes column = lanes_load(ce->row[k]);
         for (int s = 0; s < LANES; s++)
             columns[s] -= de->row[s][k] * column;
     }
@@ -42,50 +42,58 @@ static ALWAYS void take_root(lanes columns[LANES], const real* whole, real* inve
     }
 }
 
-static ALWAYS void put(const lanes columns[LANES], Tile* tile) {
-    for (int s = 0; s < LANES; s++)
-        lanes_store(tile->column[s], columns[s]);
+static ALWAYS void turn(const Tile* tile, Tile* turned) {
     for (int s = 0; s < LANES; s++)
         for (int r = 0; r < LANES; r++)
-            tile->row[r][s] = tile->column[s][r];
+            turned->row[s][r] = tile->row[r][s];
 }
 
 static void factor(Coarsest* coarsest) {
     for (int c = 0; c < coarsest->count; c++)
         for (int d = coarsest->first[c]; d <= c; d++) {
-            Tile* tile = tile_of(coarsest, c, d);
+            Tile *tile = tile_of(coarsest, c, d), *turned = &coarsest->turned[d];
+            turn(tile, turned);
             lanes columns[LANES];
             real whole[LANES];
             for (int s = 0; s < LANES; s++) {
-                columns[s] = lanes_load(tile->column[s]);
-                whole[s] = tile->column[s][s];
+                columns[s] = lanes_load(turned->row[s]);
+                whole[s] = tile->row[s][s];
             }
             const int from =
                 coarsest->first[c] > coarsest->first[d] ? coarsest->first[c] : coarsest->first[d];
             for (int e = from; e < d; e++)
-                take_product(columns, tile_of(coarsest, c, e), tile_of(coarsest, d, e));
+                take_product(columns, &coarsest->turned[e], tile_of(coarsest, d, e));
             if (d < c)
                 divide(columns, tile_of(coarsest, d, d), &coarsest->inverse[d * LANES]);
             else
                 take_root(columns, whole, &coarsest->inverse[c * LANES]);
-            put(columns, tile);
+            for (int s = 0; s < LANES; s++)
+                lanes_store(turned->row[s], columns[s]);
+            turn(turned, tile);
         }
 }
 
-/// y = L^-1 y: what is known of y goes into the next rows.
+/// In the order of the lanes, so that every machine rounds alike.
+static ALWAYS real sum_of(lanes a) {
+    return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7]));
+}
+
+/// y = L^-1 y
 static ALWAYS void go_down(const Coarsest* coarsest, real* y) {
     for (int c = 0; c < coarsest->count; c++) {
-        lanes left[4] = {lanes_load(&y[c * LANES])}; // four sums side by side
         const Tile* tile = tile_of(coarsest, c, coarsest->first[c]);
-        for (int e = coarsest->first[c]; e < c; e++, tile++)
-            for (int k = 0; k < LANES; k++)
-                left[k % 4] -= y[e * LANES + k] * lanes_load(tile->column[k]);
-        lanes rest = (left[0] + left[1]) + (left[2] + left[3]);
-        const real* inverse = &coarsest->inverse[c * LANES];
-        for (int s = 0; s < LANES; s++) {
-            const real own = rest[s] * inverse[s];
-            y[c * LANES + s] = own;
-            rest -= own * lanes_load(tile->column[s]);
+        lanes known[LANES] = {{0}, {0}, {0}, {0}, {0}, {0}, {0}, {0}};
+        for (int e = coarsest->first[c]; e < c; e++, tile++) {
+            const lanes above = lanes_load(&y[e * LANES]);
+            for (int r = 0; r < LANES; r++)
+                known[r] += lanes_load(tile->row[r]) * above;
+        }
+        real* own = &y[c * LANES];
+        for (int r = 0; r < LANES; r++) {
+            real left = own[r] - sum_of(known[r]);
+            for (int k = 0; k < r; k++)
+                left -= tile->row[r][k] * own[k];
+            own[r] = left * coarsest->inverse[c * LANES + r];
         }
     }
 }
@@ -94,21 +102,20 @@ static ALWAYS void go_down(const Coarsest* coarsest, real* y) {
 static ALWAYS void go_up(const Coarsest* coarsest, real* y) {
     for (int c = coarsest->count - 1; c >= 0; c--) {
         const Tile* tile = tile_of(coarsest, c, c);
-        const real* inverse = &coarsest->inverse[c * LANES];
-        lanes rest = lanes_load(&y[c * LANES]);
+        lanes left = lanes_load(&y[c * LANES]);
         real own[LANES];
         for (int s = LANES - 1; s >= 0; s--) {
-            own[s] = rest[s] * inverse[s];
-            rest -= own[s] * lanes_load(tile->row[s]);
+            own[s] = left[s] * coarsest->inverse[c * LANES + s];
+            left -= own[s] * lanes_load(tile->row[s]);
         }
         for (int s = 0; s < LANES; s++)
             y[c * LANES + s] = own[s];
         for (int e = c - 1; e >= coarsest->first[c]; e--) {
             tile--;
-            lanes left = lanes_load(&y[e * LANES]);
+            lanes above = lanes_load(&y[e * LANES]);
             for (int s = 0; s < LANES; s++)
-                left -= own[s] * lanes_load(tile->row[s]);
-            lanes_store(&y[e * LANES], left);
+                above -= own[s] * lanes_load(tile->row[s]);
+            lanes_store(&y[e * LANES], above);
         }
     }
 }
