@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/vectors.h"
 
 enum {
     COARSEST = 24,          ///< rows that are few enough for a full matrix
@@ -55,12 +56,12 @@ void multilevel_ready(Multilevel* levels, const real4* x, bool all) {
     coarsest_follow(&levels->coarsest, levels->level[levels->count - 1].matrix);
 }
 
-/// out = nearly A^-1 b
-static void cycle(Multilevel* levels, int l, const real4* b, real4* out) {
+/// out = nearly A^-1 b. Returns b . out.
+static double cycle(Multilevel* levels, int l, const real4* b, real4* out) {
     Level* level = &levels->level[l];
     if (l == levels->count - 1) {
         coarsest_solve(&levels->coarsest, level->matrix->count, b, out);
-        return;
+        return vectors()->dot(b, out, level->matrix->count);
     }
     Level* coarse = level + 1;
     block_kernels()->begin(&level->slices, b, level->x);
@@ -68,11 +69,11 @@ static void cycle(Multilevel* levels, int l, const real4* b, real4* out) {
     transfer_restrict(&level->transfer, level->left, coarse->b);
     cycle(levels, l + 1, coarse->b, coarse->answer);
     transfer_prolong(&level->transfer, coarse->answer, level->x);
-    block_kernels()->relax(&level->slices, b, level->x, out);
+    return block_kernels()->relax(&level->slices, b, level->x, out);
 }
 
-void multilevel_apply(Multilevel* levels, const real4* b, real4* out) {
-    cycle(levels, 0, b, out);
+double multilevel_apply(Multilevel* levels, const real4* b, real4* out) {
+    return cycle(levels, 0, b, out);
 }
 
 void multilevel_multiply(const Multilevel* levels, const real4* d, real4* out) {

@@ -48,8 +48,8 @@ void multilevel_open(Multilevel* levels, const BlockMatrix* matrix, const real* 
 /// alone, which is cheaper and often enough.
 void multilevel_ready(Multilevel* levels, const real4* x, bool all);
 
-/// out = one cycle for the right side b
-void multilevel_apply(Multilevel* levels, const real4* b, real4* out);
+/// out = one cycle for the right side b. Returns b . out.
+double multilevel_apply(Multilevel* levels, const real4* b, real4* out);
 
 /// out = the matrix, as it was when the levels last followed it, times d
 void multilevel_multiply(const Multilevel* levels, const real4* d, real4* out);

@@ -191,9 +191,9 @@ static void multiply(const Body* body, const Room* room, const real4* d, double 
 
 /// ready = preconditioner times left; returns left . ready.
 static double precondition(const Body* body, Room* room) {
-    multilevel_apply(&room->levels, room->left, room->ready);
-    keep_held(body, room, room->ready);
-    return vectors()->dot(room->left, room->ready, body->count);
+    const double along = multilevel_apply(&room->levels, room->left, room->ready);
+    keep_held(body, room, room->ready); // left is zero there
+    return along;
 }
 
 /// Solve A dv = -R. False where A turns out not to be positive.
