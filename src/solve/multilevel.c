@@ -11,7 +11,9 @@ enum {
     TURNING_LEVEL = 2       ///< from here on nodes turn: before, twice the rows cost too much
 };
 
-static const real damped = (real)0.65; ///< [1] w: below 2/3, for D^-1 A of triangles is at most 3
+/// w: below 2/3, for D^-1 A of triangles is at most 3; where nodes turn it is at most 4, for D
+/// takes motions and turns by themselves. [1]
+static const real damped = (real)0.65, damped_turning = (real)0.45;
 
 static void open_level(Level* level, const BlockMatrix* matrix) {
     const int n = matrix->count;
@@ -51,7 +53,8 @@ void multilevel_ready(Multilevel* levels, const real4* x, bool all) {
             transfer_place(&fine->transfer, l > 1 ? fine->place : x, level->place);
             galerkin_follow(&fine->galerkin, &fine->transfer, fine->matrix, &level->own);
         }
-        block_kernels()->copy(level->matrix, damped, &level->slices);
+        block_kernels()->copy(level->matrix, l < TURNING_LEVEL ? damped : damped_turning,
+                              &level->slices);
     }
     coarsest_follow(&levels->coarsest, levels->level[levels->count - 1].matrix);
 }

@@ -150,6 +150,31 @@ static void turning_all_turns_each(void** state) {
     close_fixture(&f);
 }
 
+/// w D^-1 A has no eigenvalue of 2 or more on any level that smooths, or the cycle were not
+/// positive.
+static void smoothing_overshoots_nothing(void** state) {
+    (void)state;
+    Fixture f;
+    open_fixture(&f);
+    for (int l = 0; l + 1 < f.levels.count; l++) {
+        const Level* level = &f.levels.level[l];
+        const int n = level->matrix->count;
+        real4 *v = random_vectors(n, 7), *image = new_array(real4, n);
+        double most = 0, size;
+        for (int power = 0; power < 100; power++) {
+            block_matrix_multiply(level->matrix, v, image);
+            block_kernels()->begin(&level->slices, image, v);
+            most = sqrt(product(v, v, n, &size));
+            for (int i = 0; i < n; i++)
+                v[i] /= (real)most;
+        }
+        assert_less(most, 2);
+        free(v);
+        free(image);
+    }
+    close_fixture(&f);
+}
+
 /// The coarsest level's answer is the exact one.
 static void coarsest_is_solved(void** state) {
     (void)state;
@@ -202,6 +227,7 @@ int main(void) {
         cmocka_unit_test(forces_go_back_as_motions_come),
         cmocka_unit_test(coarse_energy_is_the_fine_one),
         cmocka_unit_test(turning_all_turns_each),
+        cmocka_unit_test(smoothing_overshoots_nothing),
         cmocka_unit_test(coarsest_is_solved),
         cmocka_unit_test(cycle_is_symmetric_and_positive),
     };
