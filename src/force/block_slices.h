@@ -44,8 +44,8 @@ typedef struct BlockKernels {
     /// out = inverse b
     void (*begin)(const BlockSlices* slices, const real4* b, real4* out);
 
-    /// out = x + inverse (b - A x)
-    void (*relax)(const BlockSlices* slices, const real4* b, const real4* x, real4* out);
+    /// out = x + inverse (b - A x). Returns b . out.
+    double (*relax)(const BlockSlices* slices, const real4* b, const real4* x, real4* out);
 } BlockKernels;
 
 extern const BlockKernels block_kernels_baseline;

@@ -36,12 +36,21 @@ static void begin(const BlockSlices* slices, const real4* b, real4* restrict out
         lanes3_store(&out[s * LANES], times(&slices->inverse[s], lanes3_load(&b[s * LANES])));
 }
 
-static void relax(const BlockSlices* slices, const real4* b, const real4* x, real4* restrict out) {
+static double relax(const BlockSlices* slices, const real4* b, const real4* x,
+                    real4* restrict out) {
+    double4 low = {0}, high = {0};
     for (int s = 0; s < slices->count; s++) {
-        const Lanes3 left = lanes3_minus(lanes3_load(&b[s * LANES]), rows_times(slices, s, x));
-        lanes3_store(&out[s * LANES],
-                     lanes3_plus(lanes3_load(&x[s * LANES]), times(&slices->inverse[s], left)));
+        const Lanes3 right = lanes3_load(&b[s * LANES]);
+        const Lanes3 left = lanes3_minus(right, rows_times(slices, s, x));
+        const Lanes3 next =
+            lanes3_plus(lanes3_load(&x[s * LANES]), times(&slices->inverse[s], left));
+        lanes3_store(&out[s * LANES], next);
+        const lanes along = lanes3_dot(right, next);
+        low += to_double4(lanes_low(along));
+        high += to_double4(lanes_high(along));
     }
+    const double4 all = low + high;
+    return (all[0] + all[1]) + (all[2] + all[3]);
 }
 
 static ALWAYS void store(LaneBlock* block, int column, Lanes3 v) {

@@ -1,5 +1,6 @@
 #include "force/inflation.h"
 
+#include "base/vectors.h"
 #include "force/force.h"
 #include "force/sweep.h"
 #include "mesh/measure.h"
@@ -150,12 +151,9 @@ static void product(const Body* body, double factor, const real4* d, real4* out)
     const Inflation* inflation = &body->inflation;
     if (inflation->law != INFLATE_GAS)
         return;
-    double along = 0;
-    for (int i = 0; i < body->count; i++)
-        along += (double)dot(inflation->gradient[i], d[i]);
+    const double along = vectors()->dot(inflation->gradient, d, body->count);
     const real push = (real)(-factor * inflation->slope * along);
-    for (int i = 0; i < body->count; i++)
-        out[i] += push * inflation->gradient[i];
+    vectors()->add(out, push, inflation->gradient, body->count);
 }
 
 static void stiffen(Body* body, bool project) {

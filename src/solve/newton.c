@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/vectors.h"
 #include "force/tangent.h"
 #include "solve/method.h"
 #include "solve/multilevel.h"
@@ -29,7 +30,7 @@ enum { PRODUCTS_MOST = 2000, HALVINGS_MOST = 40 };
 /// the products that it took when they were new, and as many more. [1]
 static const double stale_share = 1.25;
 static const int stale_more = 2;
-enum { STALE_AGE = 20 }; ///< nor for more tangents than these
+enum { STALE_AGE = 40 }; ///< nor for more tangents than these
 
 /// No particle goes farther in one iteration, for the tangent knows nothing of what is there. [of
 /// the body's size]
@@ -50,6 +51,7 @@ typedef struct Room {
     double
         levels_h; ///< step of the tangent that the coarser skins follow [s]; 0: none that is good
     int age;      ///< tangents since then
+    bool holds;   ///< some particles do not move
     int fresh;    ///< products of the first solution with it; 0: not known yet
 } Room;
 
@@ -165,7 +167,7 @@ static double ready(Body* body, Room* room, double h, bool project) {
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i]));
     }
     const bool all = project || room->levels_h != h;
-    multilevel_ready(&room->levels, all);
+    multilevel_ready(&room->levels, body->x, all);
     if (all)
         room->fresh = room->age = 0;
     room->age++;
@@ -173,32 +175,25 @@ static double ready(Body* body, Room* room, double h, bool project) {
     return (double)REAL_EPSILON / 2 * sqrt(noise);
 }
 
+/// What is held neither moves nor feels.
+static void keep_held(const Body* body, const Room* room, real4* a) {
+    for (int i = 0; room->holds && i < body->count; i++)
+        if (!(body->inverse_mass[i] > 0))
+            a[i] = (real4){0, 0, 0, 0};
+}
+
 /// out = A d
 static void multiply(const Body* body, const Room* room, const real4* d, double h, real4* out) {
     multilevel_multiply(&room->levels, d, out);
     tangent_add_dense(body, h * h, d, out);
-    for (int i = 0; i < body->count; i++)
-        if (!(body->inverse_mass[i] > 0))
-            out[i] = (real4){0, 0, 0, 0};
+    keep_held(body, room, out);
 }
 
 /// ready = preconditioner times left; returns left . ready.
 static double precondition(const Body* body, Room* room) {
-    multilevel_apply(&room->levels, room->left, room->ready);
-    double sum = 0;
-    for (int i = 0; i < body->count; i++)
-        if (body->inverse_mass[i] > 0)
-            sum += (double)dot(room->left[i], room->ready[i]);
-        else
-            room->ready[i] = (real4){0, 0, 0, 0};
-    return sum;
-}
-
-static double sum_of(const Body* body, const real4* a, const real4* b) {
-    double sum = 0;
-    for (int i = 0; i < body->count; i++)
-        sum += (double)dot(a[i], b[i]);
-    return sum;
+    const double along = multilevel_apply(&room->levels, room->left, room->ready);
+    keep_held(body, room, room->ready); // left is zero there
+    return along;
 }
 
 /// Solve A dv = -R. False where A turns out not to be positive.
@@ -213,21 +208,17 @@ static bool solve_linear(Body* body, Room* room, double h, Effort* effort) {
     for (int n = 0; n < PRODUCTS_MOST && size > enough; n++) {
         multiply(body, room, room->search, h, room->image);
         effort->products++;
-        const double curvature = sum_of(body, room->search, room->image);
+        const double curvature = vectors()->dot(room->search, room->image, body->count);
         if (!(curvature > 0))
             return false;
         const real step = (real)(size / curvature);
-        for (int i = 0; i < body->count; i++) {
-            room->change[i] += step * room->search[i];
-            room->left[i] -= step * room->image[i];
-        }
+        vectors()->add(room->change, step, room->search, body->count);
+        vectors()->add(room->left, -step, room->image, body->count);
         const double last = size;
         size = precondition(body, room);
         if (!(size >= 0))
             return false;
-        const real turn = (real)(size / last);
-        for (int i = 0; i < body->count; i++)
-            room->search[i] = room->ready[i] + turn * room->search[i];
+        vectors()->turn(room->search, (real)(size / last), room->ready, body->count);
     }
     return true;
 }
@@ -314,8 +305,16 @@ static void rest(Body* body) {
     memset(body->v, 0, (size_t)body->count * sizeof *body->v);
 }
 
+static bool holds_some(const Body* body) {
+    for (int i = 0; i < body->count; i++)
+        if (!(body->inverse_mass[i] > 0))
+            return true;
+    return false;
+}
+
 static bool kick(Body* body, void* self, double h, Effort* effort) {
     Room* room = self;
+    room->holds = holds_some(body);
     *effort = (Effort){0};
     memcpy(room->x, body->x, (size_t)body->count * sizeof *room->x);
     memset(room->change, 0, (size_t)body->count * sizeof *room->change);

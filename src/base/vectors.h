@@ -1,0 +1,27 @@
+/// Sums and steps over whole arrays of vectors, as conjugate gradients need them. Spare lanes are
+/// zero and stay so.
+#ifndef BALLOON_BASE_VECTORS_H
+#define BALLOON_BASE_VECTORS_H
+
+#include "base/vec.h"
+
+typedef struct VectorKernels {
+    /// sum of a . b, products in real, their sum in double
+    double (*dot)(const real4* a, const real4* b, int count);
+
+    /// a += s b
+    void (*add)(real4* a, real s, const real4* b, int count);
+
+    /// a = b + s a
+    void (*turn)(real4* a, real s, const real4* b, int count);
+} VectorKernels;
+
+extern const VectorKernels vector_kernels_baseline;
+#ifdef __x86_64__
+extern const VectorKernels vector_kernels_v3;
+#endif
+
+/// Those of this machine (base/cpu.h).
+const VectorKernels* vectors(void);
+
+#endif
