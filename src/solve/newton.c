@@ -29,7 +29,7 @@ enum { PRODUCTS_MOST = 2000, HALVINGS_MOST = 40 };
 /// The coarser skins keep following an old tangent until a linear solution takes this many times
 /// the products that it took when they were new, and as many more. [1]
 static const double stale_share = 1.25;
-static const int stale_more = 2;
+static const int stale_more = 8;
 enum { STALE_AGE = 40 }; ///< nor for more tangents than these
 
 /// No particle goes farther in one iteration, for the tangent knows nothing of what is there. [of
@@ -106,10 +106,7 @@ static void go(Body* body, const Room* room, double part, double h) {
 }
 
 static double weigh(const Body* body, const real4* r) {
-    double sum = 0;
-    for (int i = 0; i < body->count; i++)
-        sum += (double)body->inverse_mass[i] * (double)dot(r[i], r[i]);
-    return sqrt(sum);
+    return sqrt(vectors()->weigh(body->inverse_mass, r, body->count));
 }
 
 /// R at the present v' and x', and its size |R|_(1/M).
@@ -196,16 +193,23 @@ static double precondition(const Body* body, Room* room) {
     return along;
 }
 
+/// Where A is soft in a few directions, what is left in the others weighs nothing in A's own norm;
+/// a solution must leave no more than this share of R. [1]
+static const double left_most = 0.5;
+
 /// Solve A dv = -R. False where A turns out not to be positive.
 static bool solve_linear(Body* body, Room* room, double h, Effort* effort) {
     for (int i = 0; i < body->count; i++)
         room->left[i] = -room->residual[i];
     memset(room->change, 0, (size_t)body->count * sizeof *room->change);
 
+    const double most = left_most * weigh(body, room->residual);
     double size = precondition(body, room);
     const double enough = size * room->solver.linear_tolerance * room->solver.linear_tolerance;
     memcpy(room->search, room->ready, (size_t)body->count * sizeof *room->search);
-    for (int n = 0; n < PRODUCTS_MOST && size > enough; n++) {
+    for (int n = 0; n < PRODUCTS_MOST; n++) {
+        if (size <= enough && weigh(body, room->left) <= most)
+            break;
         multiply(body, room, room->search, h, room->image);
         effort->products++;
         const double curvature = vectors()->dot(room->search, room->image, body->count);
@@ -230,9 +234,7 @@ static bool has_room(const Body* body) {
 
 /// The part of dv that is not too far.
 static double first_part(const Body* body, const Room* room, double h) {
-    double most = 0;
-    for (int i = 0; i < body->count; i++)
-        most = fmax(most, (double)dot(room->change[i], room->change[i]));
+    const double most = (double)vectors()->most(room->change, body->count);
     return fmin(1, farthest * body->size / (h * sqrt(most)));
 }
 
