@@ -1,18 +1,19 @@
-/// Compiled for each kind of machine: base/cpu.h. Two vectors side by side in eight lanes.
+/// Compiled for each kind of machine: base/cpu.h. As many vectors side by side as a register holds.
 #include "base/lanes.h"
 #include "base/vectors.h"
+
+enum { VECTORS = WIDE / 4 };
+
+static inline lanes load(const real4* a) {
+    return lanes_load((const real*)a);
+}
 
 static double dot_of(const real4* a, const real4* b, int count) {
     double4 sum[4] = {{0}, {0}, {0}, {0}}; // side by side, so that none waits for another
     int i = 0;
-    for (; i + 4 <= count; i += 4) {
-        const lanes p = lanes_load((const real*)&a[i]) * lanes_load((const real*)&b[i]);
-        const lanes q = lanes_load((const real*)&a[i + 2]) * lanes_load((const real*)&b[i + 2]);
-        sum[0] += to_double4(lanes_low(p));
-        sum[1] += to_double4(lanes_high(p));
-        sum[2] += to_double4(lanes_low(q));
-        sum[3] += to_double4(lanes_high(q));
-    }
+    for (; i + 4 <= count; i += 4)
+        for (int k = 0; k < 4; k += VECTORS)
+            lanes_sum_each(&sum[k], load(&a[i + k]) * load(&b[i + k]));
     for (; i < count; i++)
         sum[0] += to_double4(a[i] * b[i]);
     const double4 all = (sum[0] + sum[1]) + (sum[2] + sum[3]);
@@ -22,13 +23,11 @@ static double dot_of(const real4* a, const real4* b, int count) {
 static double weigh(const real* w, const real4* a, int count) {
     double4 sum[2] = {{0}, {0}};
     int i = 0;
-    for (; i + 2 <= count; i += 2) {
-        const real4 low = {w[i], w[i], w[i], w[i]}, high = {w[i + 1], w[i + 1], w[i + 1], w[i + 1]};
-        const lanes both = lanes_load((const real*)&a[i]);
-        const lanes p = lanes_join(low, high) * (both * both);
-        sum[0] += to_double4(lanes_low(p));
-        sum[1] += to_double4(lanes_high(p));
-    }
+    for (; i + 2 <= count; i += 2)
+        for (int k = 0; k < 2; k += VECTORS) {
+            const lanes v = load(&a[i + k]);
+            lanes_sum_each(&sum[k], lanes_each(&w[i + k]) * (v * v));
+        }
     for (; i < count; i++)
         sum[0] += to_double4(w[i] * (a[i] * a[i]));
     const double4 all = sum[0] + sum[1];
@@ -36,15 +35,15 @@ static double weigh(const real* w, const real4* a, int count) {
 }
 
 static real most(const real4* a, int count) {
-    lanes eight = {0};
+    lanes largest = {0};
     int i = 0;
-    for (; i + LANES <= count; i += LANES) {
+    for (; i + WIDE <= count; i += WIDE) {
         const Lanes3 v = lanes3_load(&a[i]);
-        eight = lanes_higher(lanes3_dot(v, v), eight);
+        largest = lanes_higher(lanes3_dot(v, v), largest);
     }
     real all = 0;
-    for (int k = 0; k < LANES; k++)
-        all = real_max(eight[k], all);
+    for (int k = 0; k < WIDE; k++)
+        all = real_max(largest[k], all);
     for (; i < count; i++)
         all = real_max(dot(a[i], a[i]), all);
     return all;
@@ -52,18 +51,16 @@ static real most(const real4* a, int count) {
 
 static void add(real4* restrict a, real s, const real4* restrict b, int count) {
     int i = 0;
-    for (; i + 2 <= count; i += 2)
-        lanes_store((real*)&a[i],
-                    lanes_load((const real*)&a[i]) + s * lanes_load((const real*)&b[i]));
+    for (; i + VECTORS <= count; i += VECTORS)
+        lanes_store((real*)&a[i], load(&a[i]) + s * load(&b[i]));
     for (; i < count; i++)
         a[i] += s * b[i];
 }
 
 static void turn(real4* restrict a, real s, const real4* restrict b, int count) {
     int i = 0;
-    for (; i + 2 <= count; i += 2)
-        lanes_store((real*)&a[i],
-                    lanes_load((const real*)&b[i]) + s * lanes_load((const real*)&a[i]));
+    for (; i + VECTORS <= count; i += VECTORS)
+        lanes_store((real*)&a[i], load(&b[i]) + s * load(&a[i]));
     for (; i < count; i++)
         a[i] = b[i] + s * a[i];
 }
