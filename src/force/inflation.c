@@ -86,28 +86,50 @@ static inline void add_block(Block* value, const Block* block) {
         value->column[c] += block->column[c];
 }
 
-/// A triangle: dV/dk = (b - a) x (c - a) / 6 at each corner k, which changes by d x (b - c) / 6 as
-/// a goes by d. Around a corner of a closed skin the changes by itself cancel.
-static void assemble_triangle(const real4 x[3], real factor, const int* slot, Block* value) {
-    for (int a = 0; a < 3; a++) {
-        const int b = (a + 1) % 3, c = (a + 2) % 3;
-        const Block block = crossed(factor / 6, x[b] - x[c]);
-        add_block(&value[slot[4 * b + a]], &block);
-        add_block(&value[slot[4 * c + a]], &block);
+/// The block of corners i and j, and the opposite one across.
+static inline void add_pair(Block* value, const int* slot, int i, int j, const Block* block) {
+    Block *there = &value[slot[4 * i + j]], *across = &value[slot[4 * j + i]];
+    for (int c = 0; c < 3; c++) {
+        there->column[c] += block->column[c];
+        across->column[c] -= block->column[c];
     }
 }
 
-/// A quad of a closed skin: the mean of its two triangulations, which are three triangles at each
-/// corner a, with b after it, c across and d before.
+/// A triangle of a closed skin: dV/db changes by d x (b - c) / 6 as the corner a before b goes by
+/// d, and what the face beyond the edge ab adds to that has -b in it: (a + b) / 2 - c here and
+/// there come to the same, and then the block across is the opposite one. Around a corner the
+/// changes by itself cancel.
+static void assemble_triangle(const real4 x[3], real factor, const int* slot, Block* value) {
+    for (int a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        const Block along = crossed(factor / 12, (x[a] - x[c]) + (x[b] - x[c]));
+        add_pair(value, slot, b, a, &along);
+    }
+}
+
+/// A quad of one: the mean of its two triangulations. On edges as above, (a + b - c - d) / 12;
+/// across, dV/dc changes by d x (b - d) / 12.
 static void assemble_quad(const real4 x[4], real factor, const int* slot, Block* value) {
-    for (int a = 0; a < 4; a++) {
-        const int b = (a + 1) % 4, c = (a + 2) % 4, d = (a + 3) % 4;
-        const Block at_b = crossed(factor / 12, x[b] + x[b] - x[c] - x[d]);
-        const Block at_c = crossed(factor / 12, x[b] - x[d]);
-        const Block at_d = crossed(factor / 12, x[b] + x[c] - x[d] - x[d]);
-        add_block(&value[slot[4 * b + a]], &at_b);
-        add_block(&value[slot[4 * c + a]], &at_c);
-        add_block(&value[slot[4 * d + a]], &at_d);
+    const real4 ac = x[0] - x[2], bd = x[1] - x[3];
+    const Block along = crossed(factor / 12, ac + bd), aside = crossed(factor / 12, bd - ac);
+    const Block by_b = crossed(factor / 12, bd), by_a = crossed(factor / 12, ac);
+    add_pair(value, slot, 1, 0, &along); // a + b - c - d
+    add_pair(value, slot, 2, 3, &along);
+    add_pair(value, slot, 2, 1, &aside); // b + c - d - a
+    add_pair(value, slot, 3, 0, &aside);
+    add_pair(value, slot, 2, 0, &by_b);
+    add_pair(value, slot, 1, 3, &by_a);
+}
+
+/// An open skin's triangle: (b - a) x (c - a) / 6 at each corner, which changes by d x (b - c) / 6
+/// as a goes by d.
+static void assemble_open_triangle(const real4 x[3], real factor, const int* slot, Block* value) {
+    for (int a = 0; a < 3; a++) {
+        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        const Block block = crossed(factor / 6, x[b] - x[c]);
+        add_block(&value[slot[4 * a + a]], &block);
+        add_block(&value[slot[4 * b + a]], &block);
+        add_block(&value[slot[4 * c + a]], &block);
     }
 }
 
@@ -134,12 +156,11 @@ static void assemble(const Body* body, double factor, bool project, const int* s
         real4 x[4];
         for (int k = 0; k < face_corners(face); k++)
             x[k] = body->x[face[k]];
-        if (face[3] == NONE)
-            assemble_triangle(x, p, slot, value);
-        else if (mesh->closed)
-            assemble_quad(x, p, slot, value);
+        const bool triangle = face[3] == NONE;
+        if (mesh->closed)
+            (triangle ? assemble_triangle : assemble_quad)(x, p, slot, value);
         else
-            assemble_open_quad(x, p, slot, value);
+            (triangle ? assemble_open_triangle : assemble_open_quad)(x, p, slot, value);
     }
 }
 
