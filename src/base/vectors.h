@@ -9,6 +9,12 @@ typedef struct VectorKernels {
     /// sum of a . b, products in real, their sum in double
     double (*dot)(const real4* a, const real4* b, int count);
 
+    /// sum of w a . a, products in real, their sum in double
+    double (*weigh)(const real* w, const real4* a, int count);
+
+    /// the largest a . a
+    real (*most)(const real4* a, int count);
+
     /// a += s b
     void (*add)(real4* a, real s, const real4* b, int count);
 

@@ -19,6 +19,37 @@ static double dot_of(const real4* a, const real4* b, int count) {
     return all[0] + all[1] + all[2];
 }
 
+static double weigh(const real* w, const real4* a, int count) {
+    double4 sum[2] = {{0}, {0}};
+    int i = 0;
+    for (; i + 2 <= count; i += 2) {
+        const real4 low = {w[i], w[i], w[i], w[i]}, high = {w[i + 1], w[i + 1], w[i + 1], w[i + 1]};
+        const lanes both = lanes_load((const real*)&a[i]);
+        const lanes p = lanes_join(low, high) * (both * both);
+        sum[0] += to_double4(lanes_low(p));
+        sum[1] += to_double4(lanes_high(p));
+    }
+    for (; i < count; i++)
+        sum[0] += to_double4(w[i] * (a[i] * a[i]));
+    const double4 all = sum[0] + sum[1];
+    return all[0] + all[1] + all[2];
+}
+
+static real most(const real4* a, int count) {
+    lanes eight = {0};
+    int i = 0;
+    for (; i + LANES <= count; i += LANES) {
+        const Lanes3 v = lanes3_load(&a[i]);
+        eight = lanes_higher(lanes3_dot(v, v), eight);
+    }
+    real all = 0;
+    for (int k = 0; k < LANES; k++)
+        all = real_max(eight[k], all);
+    for (; i < count; i++)
+        all = real_max(dot(a[i], a[i]), all);
+    return all;
+}
+
 static void add(real4* restrict a, real s, const real4* restrict b, int count) {
     int i = 0;
     for (; i + 2 <= count; i += 2)
@@ -38,7 +69,7 @@ static void turn(real4* restrict a, real s, const real4* restrict b, int count) 
 }
 
 #ifdef KERNEL_V3
-const VectorKernels vector_kernels_v3 = {dot_of, add, turn};
+const VectorKernels vector_kernels_v3 = {dot_of, weigh, most, add, turn};
 #else
-const VectorKernels vector_kernels_baseline = {dot_of, add, turn};
+const VectorKernels vector_kernels_baseline = {dot_of, weigh, most, add, turn};
 #endif

@@ -106,10 +106,7 @@ static void go(Body* body, const Room* room, double part, double h) {
 }
 
 static double weigh(const Body* body, const real4* r) {
-    double sum = 0;
-    for (int i = 0; i < body->count; i++)
-        sum += (double)body->inverse_mass[i] * (double)dot(r[i], r[i]);
-    return sqrt(sum);
+    return sqrt(vectors()->weigh(body->inverse_mass, r, body->count));
 }
 
 /// R at the present v' and x', and its size |R|_(1/M).
@@ -230,9 +227,7 @@ static bool has_room(const Body* body) {
 
 /// The part of dv that is not too far.
 static double first_part(const Body* body, const Room* room, double h) {
-    double most = 0;
-    for (int i = 0; i < body->count; i++)
-        most = fmax(most, (double)dot(room->change[i], room->change[i]));
+    const double most = (double)vectors()->most(room->change, body->count);
     return fmin(1, farthest * body->size / (h * sqrt(most)));
 }
 
