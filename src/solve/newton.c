@@ -193,16 +193,23 @@ static double precondition(const Body* body, Room* room) {
     return along;
 }
 
+/// Where A is soft in a few directions, what is left in the others weighs nothing in A's own norm;
+/// a solution must leave no more than this share of R. [1]
+static const double left_most = 0.5;
+
 /// Solve A dv = -R. False where A turns out not to be positive.
 static bool solve_linear(Body* body, Room* room, double h, Effort* effort) {
     for (int i = 0; i < body->count; i++)
         room->left[i] = -room->residual[i];
     memset(room->change, 0, (size_t)body->count * sizeof *room->change);
 
+    const double most = left_most * weigh(body, room->residual);
     double size = precondition(body, room);
     const double enough = size * room->solver.linear_tolerance * room->solver.linear_tolerance;
     memcpy(room->search, room->ready, (size_t)body->count * sizeof *room->search);
-    for (int n = 0; n < PRODUCTS_MOST && size > enough; n++) {
+    for (int n = 0; n < PRODUCTS_MOST; n++) {
+        if (size <= enough && weigh(body, room->left) <= most)
+            break;
         multiply(body, room, room->search, h, room->image);
         effort->products++;
         const double curvature = vectors()->dot(room->search, room->image, body->count);
