@@ -29,7 +29,7 @@ enum { PRODUCTS_MOST = 2000, HALVINGS_MOST = 40 };
 /// The coarser skins keep following an old tangent until a linear solution takes this many times
 /// the products that it took when they were new, and as many more. [1]
 static const double stale_share = 1.25;
-static const int stale_more = 2;
+static const int stale_more = 8;
 enum { STALE_AGE = 40 }; ///< nor for more tangents than these
 
 /// No particle goes farther in one iteration, for the tangent knows nothing of what is there. [of
