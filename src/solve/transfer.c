@@ -134,11 +134,12 @@ static void make_sums(Sums* sums, const Transfer* transfer, const Entry* entry, 
     const int slots = sums->from[count];
     sums->place = new_array(uint32_t[LANES], slots);
     sums->weight = new_array(real[LANES], slots);
-    sums->part = new_array(int[LANES], slots);
-    if (transfer->arm)
+    if (transfer->arm) {
         sums->arm = new_array(real[3][LANES], slots);
-    for (int k = 0; k < slots * LANES; k++)
-        sums->part[k / LANES][k % LANES] = NONE;
+        sums->part = new_array(int[LANES], slots);
+        for (int k = 0; k < slots * LANES; k++)
+            sums->part[k / LANES][k % LANES] = NONE;
+    }
 
     memset(length, 0, (size_t)rows * sizeof *length);
     for (int e = 0; e < entries; e++) {

@@ -28,7 +28,7 @@ typedef struct Sums {
     uint32_t (*place)[LANES]; ///< [slots] in bytes from the start of a real4 array
     real (*weight)[LANES];    ///< [slots]
     real (*arm)[3][LANES];    ///< [slots] [m]; NULL where nothing turns
-    int (*part)[LANES];       ///< [slots] whose arm it is, or NONE
+    int (*part)[LANES];       ///< [slots] whose arm it is, or NONE; NULL as the arms
 } Sums;
 
 typedef struct Transfer {
