@@ -26,8 +26,8 @@ static ALWAYS void divide(lanes columns[LANES], const Tile* dd, const real* inve
     }
 }
 
-/// A pivot below this share of its diagonal is what rounding left of none. [1]
-static const real least = (real)1e-3;
+/// A pivot below this share of its diagonal is what rounding, in floats, may leave of none. [1]
+static const real least = (real)1e-4;
 
 /// L_cc in place of A_cc - …, by columns; of its diagonal, the inverse.
 static ALWAYS void take_root(lanes columns[LANES], const real* whole, real* inverse) {
