@@ -1,8 +1,13 @@
-/// Eight numbers side by side, for kernels that do the same for eight particles or elements.
+/// Numbers side by side, for kernels that do the same for many particles or elements.
+///
+/// Arrays hold eight of them together, whatever the machine; a vector of `lanes` holds as many of
+/// the eight as a register does, WIDE, and a kernel goes through the eight in steps of that. (gcc
+/// keeps vectors that are wider than a register in memory and compares them number by number.)
 ///
 /// Operators act lane by lane. A kernel's file is compiled for the plainest machine of its kind and
 /// for newer ones (base/cpu.h); what differs between them is here, moves data only, and has the
-/// same bits. Masks are integers of the same size: all bits set where true.
+/// same bits, if sums over lanes run in their order. Masks are integers of the same size: all bits
+/// set where true.
 #ifndef BALLOON_BASE_LANES_H
 #define BALLOON_BASE_LANES_H
 
@@ -14,18 +19,29 @@
 #include <immintrin.h>
 #endif
 
-enum { LANES = 8 };
+enum { LANES = 8 }; ///< side by side in arrays
+
+#if defined(__AVX__) && !defined(BALLOON_DOUBLE)
+#define WIDE 8 ///< side by side in a register, or two
+#else
+#define WIDE 4
+#endif
 
 #ifdef BALLOON_DOUBLE
 typedef int64_t lane_bits;
 #else
 typedef int32_t lane_bits;
 #endif
-typedef real lanes __attribute__((vector_size(LANES * sizeof(real))));
-typedef lane_bits lane_mask __attribute__((vector_size(LANES * sizeof(real))));
-typedef double lanes_double __attribute__((vector_size(LANES * sizeof(double))));
+typedef real lanes __attribute__((vector_size(WIDE * sizeof(real))));
+typedef lane_bits lane_mask __attribute__((vector_size(WIDE * sizeof(real))));
+typedef double lanes_double __attribute__((vector_size(WIDE * sizeof(double))));
 
-/// Eight vectors of space.
+/// The first lane, among eight, of those that begin with number n.
+static inline int lane_of(int n) {
+    return WIDE == LANES ? 0 : n % LANES;
+}
+
+/// WIDE vectors of space.
 typedef struct Lanes3 {
     lanes x, y, z;
 } Lanes3;
@@ -44,9 +60,15 @@ static inline lanes lanes_select(lane_mask which, lanes yes, lanes no) {
     return (lanes)((which & (lane_mask)yes) | (~which & (lane_mask)no));
 }
 
+/// Without their signs.
+static inline lanes lanes_size(lanes a) {
+    const lanes minus = -(lanes){0};
+    return (lanes)((lane_mask)a & ~(lane_mask)minus);
+}
+
 /// The smaller and the larger of each lane; b where one is not a number.
 static inline lanes lanes_lower(lanes a, lanes b) {
-#if defined(__AVX__) && !defined(BALLOON_DOUBLE)
+#if WIDE == 8
     return (lanes)_mm256_min_ps((__m256)a, (__m256)b);
 #else
     return lanes_select(a < b, a, b);
@@ -54,7 +76,7 @@ static inline lanes lanes_lower(lanes a, lanes b) {
 }
 
 static inline lanes lanes_higher(lanes a, lanes b) {
-#if defined(__AVX__) && !defined(BALLOON_DOUBLE)
+#if WIDE == 8
     return (lanes)_mm256_max_ps((__m256)a, (__m256)b);
 #else
     return lanes_select(a > b, a, b);
@@ -110,7 +132,7 @@ static inline Lanes3 lanes3_cross(Lanes3 a, Lanes3 b) {
     return (Lanes3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-#if defined(__AVX__) && !defined(BALLOON_DOUBLE)
+#if WIDE == 8
 
 /// Two vectors of four side by side, and back.
 static inline lanes lanes_join(real4 low, real4 high) {
@@ -125,7 +147,7 @@ static inline real4 lanes_high(lanes a) {
     return (real4)_mm256_extractf128_ps((__m256)a, 1);
 }
 
-/// The x, y and z of eight vectors of space.
+/// The x, y and z of vectors of space.
 static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3, real4 a4, real4 a5, real4 a6,
                                real4 a7) {
     const __m256 a = (__m256)lanes_join(a0, a4), b = (__m256)lanes_join(a1, a5);
@@ -136,7 +158,7 @@ static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3, real4 a4,
                     (lanes)_mm256_shuffle_ps(ab_z, cd_z, 0x44)};
 }
 
-/// Eight vectors of space one after the other, spare lanes zero.
+/// Vectors of space one after the other, spare lanes zero.
 static inline void lanes3_store(real4* out, Lanes3 v) {
     const __m256 x = (__m256)v.x, y = (__m256)v.y, z = (__m256)v.z, zero = _mm256_setzero_ps();
     const __m256 xy = _mm256_unpacklo_ps(x, y), xy_high = _mm256_unpackhi_ps(x, y);
@@ -150,25 +172,6 @@ static inline void lanes3_store(real4* out, Lanes3 v) {
 }
 
 #else
-
-static inline lanes lanes_join(real4 low, real4 high) {
-    lanes both;
-    __builtin_memcpy(&both, &low, sizeof low);
-    __builtin_memcpy((real*)&both + 4, &high, sizeof high);
-    return both;
-}
-
-static inline real4 lanes_low(lanes a) {
-    real4 low;
-    __builtin_memcpy(&low, &a, sizeof low);
-    return low;
-}
-
-static inline real4 lanes_high(lanes a) {
-    real4 high;
-    __builtin_memcpy(&high, (const real*)&a + 4, sizeof high);
-    return high;
-}
 
 /// Rows to columns, by the shuffles that a machine with four such numbers in a register has.
 static inline void lanes_turn(real4 a, real4 b, real4 c, real4 d, real4 out[4]) {
@@ -196,32 +199,66 @@ static inline void lanes_turn(real4 a, real4 b, real4 c, real4 d, real4 out[4]) 
 #endif
 }
 
-static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3, real4 a4, real4 a5, real4 a6,
-                               real4 a7) {
-    real4 low[4], high[4];
-    lanes_turn(a0, a1, a2, a3, low);
-    lanes_turn(a4, a5, a6, a7, high);
-    return (Lanes3){lanes_join(low[0], high[0]), lanes_join(low[1], high[1]),
-                    lanes_join(low[2], high[2])};
+static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3) {
+    real4 column[4];
+    lanes_turn(a0, a1, a2, a3, column);
+    return (Lanes3){column[0], column[1], column[2]};
 }
 
 static inline void lanes3_store(real4* out, Lanes3 v) {
     const real4 zero = {0, 0, 0, 0};
-    lanes_turn(lanes_low(v.x), lanes_low(v.y), lanes_low(v.z), zero, out);
-    lanes_turn(lanes_high(v.x), lanes_high(v.y), lanes_high(v.z), zero, out + 4);
+    lanes_turn(v.x, v.y, v.z, zero, out);
 }
 
 #endif
 
+/// The x, y and z of AT(0), AT(1) … of type real4.
+#if WIDE == 8
+#define LANES3_OF(AT) lanes3_of(AT(0), AT(1), AT(2), AT(3), AT(4), AT(5), AT(6), AT(7))
+#else
+#define LANES3_OF(AT) lanes3_of(AT(0), AT(1), AT(2), AT(3))
+#endif
+
 static inline Lanes3 lanes3_load(const real4* a) {
-    return lanes3_of(a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7]);
+#define AT(k) a[k]
+    return LANES3_OF(AT);
+#undef AT
 }
 
-/// The vectors at eight places of an array, in bytes from its start.
-static inline Lanes3 lanes3_gather(const real4* array, const uint32_t place[LANES]) {
+/// The vectors at WIDE places of an array, in bytes from its start.
+static inline Lanes3 lanes3_gather(const real4* array, const uint32_t* place) {
 #define AT(k) (*(const real4*)((const char*)array + place[k]))
-    return lanes3_of(AT(0), AT(1), AT(2), AT(3), AT(4), AT(5), AT(6), AT(7));
+    return LANES3_OF(AT);
 #undef AT
+}
+
+/// The same vector of space, or other four numbers, in each four of the lanes; WIDE / 4 of them.
+static inline lanes lanes_repeat(real4 a) {
+#if WIDE == 8
+    return lanes_join(a, a);
+#else
+    return a;
+#endif
+}
+
+/// sum[k % 4] += a[k], in the order of the lanes.
+static inline void lanes_sum(double4* sum, lanes a) {
+#if WIDE == 8
+    *sum += to_double4(lanes_low(a));
+    *sum += to_double4(lanes_high(a));
+#else
+    *sum += to_double4(a);
+#endif
+}
+
+/// sum[k / 4][k % 4] += a[k - lane]: the lanes of eight that begin with `lane`.
+static inline void lanes_sum_apart(double4 sum[LANES / 4], int lane, lanes a) {
+#if WIDE == 8
+    sum[lane / 4] += to_double4(lanes_low(a));
+    sum[lane / 4 + 1] += to_double4(lanes_high(a));
+#else
+    sum[lane / 4] += to_double4(a);
+#endif
 }
 
 #endif

@@ -1,17 +1,17 @@
-/// Compiled for each kind of machine: base/cpu.h. Two vectors side by side in eight lanes.
+/// Compiled for each kind of machine: base/cpu.h.
 #include "base/lanes.h"
 #include "base/vectors.h"
+
+enum { VECTORS = WIDE / 4 }; ///< in a register
 
 static double dot_of(const real4* a, const real4* b, int count) {
     double4 sum[4] = {{0}, {0}, {0}, {0}}; // side by side, so that none waits for another
     int i = 0;
     for (; i + 4 <= count; i += 4) {
-        const lanes p = lanes_load((const real*)&a[i]) * lanes_load((const real*)&b[i]);
-        const lanes q = lanes_load((const real*)&a[i + 2]) * lanes_load((const real*)&b[i + 2]);
-        sum[0] += to_double4(lanes_low(p));
-        sum[1] += to_double4(lanes_high(p));
-        sum[2] += to_double4(lanes_low(q));
-        sum[3] += to_double4(lanes_high(q));
+        sum[0] += to_double4(a[i] * b[i]);
+        sum[1] += to_double4(a[i + 1] * b[i + 1]);
+        sum[2] += to_double4(a[i + 2] * b[i + 2]);
+        sum[3] += to_double4(a[i + 3] * b[i + 3]);
     }
     for (; i < count; i++)
         sum[0] += to_double4(a[i] * b[i]);
@@ -21,7 +21,7 @@ static double dot_of(const real4* a, const real4* b, int count) {
 
 static void add(real4* restrict a, real s, const real4* restrict b, int count) {
     int i = 0;
-    for (; i + 2 <= count; i += 2)
+    for (; i + VECTORS <= count; i += VECTORS)
         lanes_store((real*)&a[i],
                     lanes_load((const real*)&a[i]) + s * lanes_load((const real*)&b[i]));
     for (; i < count; i++)
@@ -30,7 +30,7 @@ static void add(real4* restrict a, real s, const real4* restrict b, int count) {
 
 static void turn(real4* restrict a, real s, const real4* restrict b, int count) {
     int i = 0;
-    for (; i + 2 <= count; i += 2)
+    for (; i + VECTORS <= count; i += VECTORS)
         lanes_store((real*)&a[i],
                     lanes_load((const real*)&b[i]) + s * lanes_load((const real*)&a[i]));
     for (; i < count; i++)

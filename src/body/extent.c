@@ -3,12 +3,12 @@
 #include "base/cpu.h"
 #include "base/crew.h"
 
-static Extent of_range(const real4* a, int count) {
+static const ExtentKernels* kernels(void) {
 #ifdef __x86_64__
     if (cpu_is_v3())
-        return extent_v3(a, count);
+        return &extent_v3;
 #endif
-    return extent_baseline(a, count);
+    return &extent_baseline;
 }
 
 enum { PARTS_MOST = 64, PART_LEAST = 4096 }; ///< [1], [vectors]
@@ -17,19 +17,28 @@ enum { PARTS_MOST = 64, PART_LEAST = 4096 }; ///< [1], [vectors]
 typedef struct Job {
     const real4* a;
     int count, parts;
+    real most;
     Extent extent[PARTS_MOST];
+    bool within[PARTS_MOST];
 } Job;
+
+static Job job_of(const real4* a, int count) {
+    const int parts = count / PART_LEAST + 1;
+    return (Job){.a = a, .count = count, .parts = parts < PARTS_MOST ? parts : PARTS_MOST};
+}
+
+static int part_from(const Job* job, int part) {
+    return (int)((long)job->count * part / job->parts);
+}
 
 static void part_extent(void* self, int part) {
     Job* job = self;
-    const int from = (int)((long)job->count * part / job->parts);
-    const int to = (int)((long)job->count * (part + 1) / job->parts);
-    job->extent[part] = of_range(&job->a[from], to - from);
+    const int from = part_from(job, part), to = part_from(job, part + 1);
+    job->extent[part] = kernels()->extent(&job->a[from], to - from);
 }
 
 Extent extent_of(const real4* a, int count) {
-    const int parts = count / PART_LEAST + 1;
-    Job job = {.a = a, .count = count, .parts = parts < PARTS_MOST ? parts : PARTS_MOST};
+    Job job = job_of(a, count);
     crew_run(part_extent, &job, job.parts);
     Extent all = job.extent[0];
     for (int part = 1; part < job.parts; part++)
@@ -40,9 +49,18 @@ Extent extent_of(const real4* a, int count) {
     return all;
 }
 
-bool extent_within(const Extent* extent, real most) {
-    for (int k = 0; k < 3; k++)
-        if (!(extent->low[k] >= -most && extent->high[k] <= most))
+static void part_within(void* self, int part) {
+    Job* job = self;
+    const int from = part_from(job, part), to = part_from(job, part + 1);
+    job->within[part] = kernels()->within(&job->a[from], to - from, job->most);
+}
+
+bool all_within(const real4* a, int count, real most) {
+    Job job = job_of(a, count);
+    job.most = most;
+    crew_run(part_within, &job, job.parts);
+    for (int part = 0; part < job.parts; part++)
+        if (!job.within[part])
             return false;
     return true;
 }

@@ -14,14 +14,21 @@ typedef struct Extent {
 /// a: [count], at least one.
 Extent extent_of(const real4* a, int count);
 
-/// Whether all are between -most and most.
-bool extent_within(const Extent* extent, real most);
-
 /// No vector is longer.
 double extent_length(const Extent* extent);
 
-/// extent_of on the plainest machine and on this one (base/cpu.h).
-Extent extent_baseline(const real4* a, int count);
-Extent extent_v3(const real4* a, int count);
+/// Whether all components are between -most and most; what is not a number is not.
+bool all_within(const real4* a, int count, real most);
+
+/// The loops on the plainest machine and on this one (base/cpu.h).
+typedef struct ExtentKernels {
+    Extent (*extent)(const real4* a, int count);
+    bool (*within)(const real4* a, int count, real most);
+} ExtentKernels;
+
+extern const ExtentKernels extent_baseline;
+#ifdef __x86_64__
+extern const ExtentKernels extent_v3;
+#endif
 
 #endif

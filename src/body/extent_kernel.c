@@ -2,26 +2,23 @@
 #include "base/lanes.h"
 #include "body/extent.h"
 
-#ifdef KERNEL_V3
-#define EXTENT extent_v3
-#else
-#define EXTENT extent_baseline
-#endif
+enum { VECTORS = WIDE / 4 }; ///< in a register
 
-/// Two vectors at a time, in two chains.
-Extent EXTENT(const real4* restrict a, int count) {
-    const lanes last = lanes_join(a[0], a[count - 1]);
-    lanes low[2] = {last, last}, high[2] = {last, last};
-    lane_mask odd = last != last;
-    for (int i = 0; i + 3 < count; i += 4)
+/// In two chains.
+static Extent extent(const real4* restrict a, int count) {
+    lanes low[2], high[2];
+    low[0] = low[1] = high[0] = high[1] = lanes_repeat(a[0]);
+    lane_mask odd = low[0] != low[0];
+    int i = 0;
+    for (; i + 2 * VECTORS <= count; i += 2 * VECTORS)
         for (int k = 0; k < 2; k++) {
-            const lanes two = lanes_load((const real*)&a[i + 2 * k]);
-            low[k] = lanes_lower(two, low[k]);
-            high[k] = lanes_higher(two, high[k]);
-            odd |= two != two;
+            const lanes here = lanes_load((const real*)&a[i + k * VECTORS]);
+            low[k] = lanes_lower(here, low[k]);
+            high[k] = lanes_higher(here, high[k]);
+            odd |= here != here;
         }
-    for (int i = count / 4 * 4; i < count; i++) {
-        const lanes one = lanes_join(a[i], a[i]);
+    for (; i < count; i++) {
+        const lanes one = lanes_repeat(a[i]);
         low[0] = lanes_lower(one, low[0]);
         high[0] = lanes_higher(one, high[0]);
         odd |= one != one;
@@ -30,11 +27,36 @@ Extent EXTENT(const real4* restrict a, int count) {
     high[0] = lanes_higher(high[0], high[1]);
 
     const real all = (real)INFINITY;
-    Extent extent = {{0}, {0}};
+    Extent box = {{0}, {0}};
     for (int k = 0; k < 3; k++) {
-        const bool is_odd = odd[k] | odd[k + 4];
-        extent.low[k] = is_odd ? -all : real_min(low[0][k], low[0][k + 4]);
-        extent.high[k] = is_odd ? all : real_max(high[0][k], high[0][k + 4]);
+        const int last = k + WIDE - 4;
+        const bool is_odd = odd[k] | odd[last];
+        box.low[k] = is_odd ? -all : real_min(low[0][k], low[0][last]);
+        box.high[k] = is_odd ? all : real_max(high[0][k], high[0][last]);
     }
-    return extent;
+    return box;
 }
+
+static bool within(const real4* restrict a, int count, real most) {
+    const lanes limit = most + (lanes){0};
+    lane_mask good = limit == limit, good2 = good; // two chains
+    int i = 0;
+    for (; i + 2 * VECTORS <= count; i += 2 * VECTORS) {
+        const real* here = (const real*)&a[i];
+        good &= lanes_size(lanes_load(here)) <= limit;
+        good2 &= lanes_size(lanes_load(here + WIDE)) <= limit;
+    }
+    for (; i < count; i++)
+        good &= lanes_size(lanes_repeat(a[i])) <= limit;
+    good &= good2;
+    for (int k = 0; k < WIDE; k++)
+        if (!good[k])
+            return false;
+    return true;
+}
+
+#ifdef KERNEL_V3
+const ExtentKernels extent_v3 = {extent, within};
+#else
+const ExtentKernels extent_baseline = {extent, within};
+#endif

@@ -3,94 +3,100 @@
 
 #define ALWAYS inline __attribute__((always_inline))
 
-static ALWAYS Lanes3 times(const LaneBlock* block, Lanes3 d) {
-    return (Lanes3){d.x * lanes_load(block->at[0]) + d.y * lanes_load(block->at[3]) +
-                        d.z * lanes_load(block->at[6]),
-                    d.x * lanes_load(block->at[1]) + d.y * lanes_load(block->at[4]) +
-                        d.z * lanes_load(block->at[7]),
-                    d.x * lanes_load(block->at[2]) + d.y * lanes_load(block->at[5]) +
-                        d.z * lanes_load(block->at[8])};
+static ALWAYS Lanes3 times(const LaneBlock* block, int lane, Lanes3 d) {
+    return (Lanes3){d.x * lanes_load(&block->at[0][lane]) + d.y * lanes_load(&block->at[3][lane]) +
+                        d.z * lanes_load(&block->at[6][lane]),
+                    d.x * lanes_load(&block->at[1][lane]) + d.y * lanes_load(&block->at[4][lane]) +
+                        d.z * lanes_load(&block->at[7][lane]),
+                    d.x * lanes_load(&block->at[2][lane]) + d.y * lanes_load(&block->at[5][lane]) +
+                        d.z * lanes_load(&block->at[8][lane])};
 }
 
-/// Eight rows of A d.
-static ALWAYS Lanes3 rows_times(const BlockSlices* slices, int slice, const real4* d) {
+/// Rows of A d, row i and those beside it.
+static ALWAYS Lanes3 rows_times(const BlockSlices* slices, int i, const real4* d) {
+    const int slice = i / LANES, lane = lane_of(i);
     Lanes3 sum = {{0}, {0}, {0}};
     for (int slot = slices->from[slice]; slot < slices->from[slice + 1]; slot++)
-        sum = lanes3_plus(sum, times(&slices->value[slot], lanes3_gather(d, slices->place[slot])));
+        sum = lanes3_plus(
+            sum, times(&slices->value[slot], lane, lanes3_gather(d, &slices->place[slot][lane])));
     return sum;
 }
 
+/// Rows of the diagonal's inverse times v.
+static ALWAYS Lanes3 inverse_times(const BlockSlices* slices, int i, Lanes3 v) {
+    return times(&slices->inverse[i / LANES], lane_of(i), v);
+}
+
 static void multiply(const BlockSlices* slices, const real4* d, real4* restrict out) {
-    for (int s = 0; s < slices->count; s++)
-        lanes3_store(&out[s * LANES], rows_times(slices, s, d));
+    for (int i = 0; i < slices->count * LANES; i += WIDE)
+        lanes3_store(&out[i], rows_times(slices, i, d));
 }
 
 static void remain(const BlockSlices* slices, const real4* b, const real4* x, real4* restrict out) {
-    for (int s = 0; s < slices->count; s++)
-        lanes3_store(&out[s * LANES],
-                     lanes3_minus(lanes3_load(&b[s * LANES]), rows_times(slices, s, x)));
+    for (int i = 0; i < slices->count * LANES; i += WIDE)
+        lanes3_store(&out[i], lanes3_minus(lanes3_load(&b[i]), rows_times(slices, i, x)));
 }
 
 static void begin(const BlockSlices* slices, const real4* b, real4* restrict out) {
-    for (int s = 0; s < slices->count; s++)
-        lanes3_store(&out[s * LANES], times(&slices->inverse[s], lanes3_load(&b[s * LANES])));
+    for (int i = 0; i < slices->count * LANES; i += WIDE)
+        lanes3_store(&out[i], inverse_times(slices, i, lanes3_load(&b[i])));
 }
 
 static double relax(const BlockSlices* slices, const real4* b, const real4* x,
                     real4* restrict out) {
-    double4 low = {0}, high = {0};
-    for (int s = 0; s < slices->count; s++) {
-        const Lanes3 right = lanes3_load(&b[s * LANES]);
-        const Lanes3 left = lanes3_minus(right, rows_times(slices, s, x));
-        const Lanes3 next =
-            lanes3_plus(lanes3_load(&x[s * LANES]), times(&slices->inverse[s], left));
-        lanes3_store(&out[s * LANES], next);
-        const lanes along = lanes3_dot(right, next);
-        low += to_double4(lanes_low(along));
-        high += to_double4(lanes_high(along));
+    double4 sum[LANES / 4] = {{0}, {0}};
+    for (int i = 0; i < slices->count * LANES; i += WIDE) {
+        const Lanes3 right = lanes3_load(&b[i]);
+        const Lanes3 left = lanes3_minus(right, rows_times(slices, i, x));
+        const Lanes3 next = lanes3_plus(lanes3_load(&x[i]), inverse_times(slices, i, left));
+        lanes3_store(&out[i], next);
+        lanes_sum_apart(sum, lane_of(i), lanes3_dot(right, next));
     }
-    const double4 all = low + high;
+    const double4 all = sum[0] + sum[1];
     return (all[0] + all[1]) + (all[2] + all[3]);
 }
 
-static ALWAYS void store(LaneBlock* block, int column, Lanes3 v) {
-    lanes_store(block->at[3 * column], v.x);
-    lanes_store(block->at[3 * column + 1], v.y);
-    lanes_store(block->at[3 * column + 2], v.z);
+static ALWAYS void store(LaneBlock* block, int lane, int column, Lanes3 v) {
+    lanes_store(&block->at[3 * column][lane], v.x);
+    lanes_store(&block->at[3 * column + 1][lane], v.y);
+    lanes_store(&block->at[3 * column + 2][lane], v.z);
 }
 
 /// The inverse times factor, by cross products of the columns; zero where it is not positive.
-static ALWAYS void invert(const LaneBlock* block, real factor, LaneBlock* out) {
+static ALWAYS void invert(const LaneBlock* block, int lane, real factor, LaneBlock* out) {
     Lanes3 column[3];
     for (int c = 0; c < 3; c++)
-        column[c] = (Lanes3){lanes_load(block->at[3 * c]), lanes_load(block->at[3 * c + 1]),
-                             lanes_load(block->at[3 * c + 2])};
+        column[c] =
+            (Lanes3){lanes_load(&block->at[3 * c][lane]), lanes_load(&block->at[3 * c + 1][lane]),
+                     lanes_load(&block->at[3 * c + 2][lane])};
     const Lanes3 row[3] = {lanes3_cross(column[1], column[2]), lanes3_cross(column[2], column[0]),
                            lanes3_cross(column[0], column[1])};
     const lanes determinant = lanes3_dot(column[0], row[0]);
-    const lanes one = {1, 1, 1, 1, 1, 1, 1, 1}, none = {0};
+    const lanes none = {0}, one = 1 + none;
     const lanes share = lanes_select(determinant > 0, factor * one / determinant, none);
     for (int r = 0; r < 3; r++) {
-        lanes_store(out->at[r], share * row[r].x);
-        lanes_store(out->at[3 + r], share * row[r].y);
-        lanes_store(out->at[6 + r], share * row[r].z);
+        lanes_store(&out->at[r][lane], share * row[r].x);
+        lanes_store(&out->at[3 + r][lane], share * row[r].y);
+        lanes_store(&out->at[6 + r][lane], share * row[r].z);
     }
 }
 
-static void copy(const BlockMatrix* matrix, real factor, BlockSlices* slices) {
-    for (int s = 0; s < slices->count; s++) {
-        for (int slot = slices->from[s]; slot < slices->from[s + 1]; slot++) {
-            const int* source = slices->source[slot];
-            for (int c = 0; c < 3; c++) {
+static ALWAYS void copy_slice(const BlockMatrix* matrix, real factor, int s, int lane,
+                              BlockSlices* slices) {
+    for (int slot = slices->from[s]; slot < slices->from[s + 1]; slot++) {
+        const int* source = &slices->source[slot][lane];
+        for (int c = 0; c < 3; c++) {
 #define COLUMN(k) matrix->value[source[k]].column[c]
-                store(&slices->value[slot], c,
-                      lanes3_of(COLUMN(0), COLUMN(1), COLUMN(2), COLUMN(3), COLUMN(4), COLUMN(5),
-                                COLUMN(6), COLUMN(7)));
+            store(&slices->value[slot], lane, c, LANES3_OF(COLUMN));
 #undef COLUMN
-            }
         }
-        invert(&slices->value[slices->from[s]], factor, &slices->inverse[s]);
     }
+    invert(&slices->value[slices->from[s]], lane, factor, &slices->inverse[s]);
+}
+
+static void copy(const BlockMatrix* matrix, real factor, BlockSlices* slices) {
+    for (int i = 0; i < slices->count * LANES; i += WIDE)
+        copy_slice(matrix, factor, i / LANES, lane_of(i), slices);
 }
 
 #ifdef KERNEL_V3

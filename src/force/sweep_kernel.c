@@ -4,7 +4,7 @@
 
 #define ALWAYS inline __attribute__((always_inline))
 
-/// Pull of eight springs along d [N]. A spring of no length pulls nowhere, for d is zero; the least
+/// Pull of springs along d [N]. A spring of no length pulls nowhere, for d is zero; the least
 /// number keeps its ratio finite.
 static ALWAYS Lanes3 pull_of(SpringLaw law, Lanes3 d, const real* stiffness, const real* rest) {
     const lanes r = lanes_load(rest) / lanes_sqrt(lanes3_dot(d, d) + REAL_LEAST);
@@ -18,9 +18,9 @@ static ALWAYS Lanes3 pull_of(SpringLaw law, Lanes3 d, const real* stiffness, con
     return lanes3_times(lanes_load(stiffness) * share, d);
 }
 
-/// Which of eight places are the same: of b and c, faces that are triangles.
+/// Which places are the same: of b and c, faces that are triangles.
 static ALWAYS lane_mask same_place(const uint32_t* b, const uint32_t* c) {
-    typedef uint32_t places __attribute__((vector_size(LANES * sizeof(uint32_t))));
+    typedef uint32_t places __attribute__((vector_size(WIDE * sizeof(uint32_t))));
     places one, other;
     __builtin_memcpy(&one, b, sizeof one);
     __builtin_memcpy(&other, c, sizeof other);
@@ -31,28 +31,39 @@ static const lanes none = {0};
 enum { SWEEP_OPEN = 32 }; ///< the skin has a rim
 enum { FACES = 8 };       ///< of a ring, looked at together: most rings have fewer
 
-/// Eight particles that follow each other.
+/// What is looked at: the slices, and of one of them the particles from a lane on.
+typedef struct Part {
+    const Slices* s;
+    int slice, lane;
+    const real4* x;
+    Lanes3 a; ///< where they are
+} Part;
+
+/// Particles that follow each other.
 static ALWAYS Lanes3 row_from(const Slices* s, size_t i) {
     return (Lanes3){lanes_load(&s->line[0][i]), lanes_load(&s->line[1][i]),
                     lanes_load(&s->line[2][i])};
 }
 
-/// The neighbours in a slot.
-static ALWAYS Lanes3 neighbours(const Slices* s, int slot, const real4* x) {
-    return s->row[slot] ? row_from(s, s->place[slot][0] / sizeof(real4))
-                        : lanes3_gather(x, s->place[slot]);
+/// Neighbours in a slot, as seen from the particles.
+static ALWAYS Lanes3 neighbours(const Part* p, int slot) {
+    const uint32_t* place = &p->s->place[slot][p->lane];
+    const Lanes3 there =
+        p->s->row[slot] ? row_from(p->s, place[0] / sizeof(real4)) : lanes3_gather(p->x, place);
+    return lanes3_minus(there, p->a);
 }
 
-/// Neighbours of eight particles at a, from a slot on: where they are as seen from a, into `at` if
-/// it is not NULL. Returns f and the springs' pull to them.
-static ALWAYS Lanes3 look_around(const Slices* s, int slot, int count, const real4* restrict x,
-                                 Lanes3 a, unsigned wanted, SpringLaw law, Lanes3 f, Lanes3* at) {
-    for (int k = 0; k < count; k++) {
-        const Lanes3 d = lanes3_minus(neighbours(s, slot + k, x), a);
+/// Neighbours in so many slots, into `at` if it is not NULL. Returns f and the springs' pull to
+/// them.
+static ALWAYS Lanes3 look_around(const Part* p, int slot, int count, unsigned wanted, SpringLaw law,
+                                 Lanes3 f, Lanes3* at) {
+    for (int k = slot; k < slot + count; k++) {
+        const Lanes3 d = neighbours(p, k);
         if (at)
-            at[k] = d;
+            at[k - slot] = d;
         if (wanted & SWEEP_SPRINGS)
-            f = lanes3_plus(f, pull_of(law, d, s->stiffness[slot + k], s->rest[slot + k]));
+            f = lanes3_plus(f,
+                            pull_of(law, d, &p->s->stiffness[k][p->lane], &p->s->rest[k][p->lane]));
     }
     return f;
 }
@@ -63,12 +74,13 @@ static ALWAYS Lanes3 two_areas(const Lanes3* b) {
 }
 
 /// What faces add to 12 dV/da [m^2]. at: b0 c0 b1 c1 ... and the b that closes the last one
-static ALWAYS Lanes3 gradient_of(const Slices* s, int slot, int faces, const Lanes3* at,
+static ALWAYS Lanes3 gradient_of(const Part* p, int slot, int faces, const Lanes3* at,
                                  unsigned wanted, Lanes3 sum) {
     for (int k = 0; k < 2 * faces; k += 2) {
         const Lanes3* b = &at[k];
         if (wanted & SWEEP_OPEN) {
-            const lane_mask triangle = same_place(s->place[slot + k], s->place[slot + k + 1]);
+            const lane_mask triangle =
+                same_place(&p->s->place[slot + k][p->lane], &p->s->place[slot + k + 1][p->lane]);
             const lanes share = lanes_select(triangle, 2 + none, (real)1.5 + none);
             sum = lanes3_plus(sum, lanes3_times(share, two_areas(b)));
         } else {
@@ -80,48 +92,43 @@ static ALWAYS Lanes3 gradient_of(const Slices* s, int slot, int faces, const Lan
 }
 
 /// Twice the area of the faces that are counted [m^2].
-static ALWAYS lanes area_of(const Slices* s, int counted, int faces, const Lanes3* at, lanes sum) {
+static ALWAYS lanes area_of(const Part* p, int counted, int faces, const Lanes3* at, lanes sum) {
     for (int k = 0; k < faces; k++) {
         const Lanes3 area = two_areas(&at[2 * k]);
-        sum += lanes_load(s->counted[counted + k]) * lanes_sqrt(lanes3_dot(area, area));
+        sum +=
+            lanes_load(&p->s->counted[counted + k][p->lane]) * lanes_sqrt(lanes3_dot(area, area));
     }
     return sum;
 }
 
-/// What is summed up around eight particles.
+/// What is summed up around particles.
 typedef struct Around {
     Lanes3 f;        ///< [N]
     Lanes3 gradient; ///< 12 times [m^2]
     lanes area;      ///< twice that of the faces that are counted there [m^2]
 } Around;
 
-/// The faces around eight particles at a, and the springs to their corners. Returns the next slot.
-static ALWAYS int go_round(const Slices* s, int slice, const real4* x, Lanes3 a, unsigned wanted,
-                           SpringLaw law, Around* around) {
-    const int faces = s->faces[slice], from = s->from[slice];
-    const int counted = s->counted_from[slice], count = s->counted_from[slice + 1] - counted;
+/// The faces around particles, and the springs to their corners. Returns the next slot.
+static ALWAYS int go_round(const Part* p, unsigned wanted, SpringLaw law, Around* around) {
+    const Slices* s = p->s;
+    const int faces = s->faces[p->slice], from = s->from[p->slice];
+    const int counted = s->counted_from[p->slice];
+    const int count = s->counted_from[p->slice + 1] - counted;
     Lanes3 at[2 * FACES + 1], first;
     for (int k = 0; k < faces; k += FACES) {
         const int slot = from + 2 * k, together = faces - k < FACES ? faces - k : FACES;
-        around->f = look_around(s, slot, 2 * together, x, a, wanted, law, around->f, at);
+        around->f = look_around(p, slot, 2 * together, wanted, law, around->f, at);
         if (!(wanted & SWEEP_GRADIENT))
             continue;
         if (k == 0)
             first = at[0];
-        at[2 * together] = k + together < faces
-                               ? lanes3_minus(lanes3_gather(x, s->place[slot + 2 * together]), a)
-                               : first;
-        around->gradient = gradient_of(s, slot, together, at, wanted, around->gradient);
+        at[2 * together] = k + together < faces ? neighbours(p, slot + 2 * together) : first;
+        around->gradient = gradient_of(p, slot, together, at, wanted, around->gradient);
         if (wanted & SWEEP_AREA)
-            around->area = area_of(s, counted + k, count - k < together ? count - k : together, at,
+            around->area = area_of(p, counted + k, count - k < together ? count - k : together, at,
                                    around->area);
     }
     return from + 2 * faces;
-}
-
-/// Sums of eight lanes in double; lanes a and a + 4 together.
-static ALWAYS double4 to_sums(lanes a) {
-    return to_double4(lanes_low(a)) + to_double4(lanes_high(a));
 }
 
 /// In the order of the lanes, so that every machine rounds alike.
@@ -134,24 +141,23 @@ static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const re
                                      real4* restrict gradient) {
     double4 area = {0}, volume = {0};
     const Lanes3 origin = {x[0][0] + none, x[0][1] + none, x[0][2] + none};
-    for (int slice = from; slice < to; slice++) {
-        const int i = slice * LANES;
-        const Lanes3 a = row_from(s, (size_t)i);
+    for (int i = from * LANES; i < to * LANES; i += WIDE) {
+        const Part part = {s, i / LANES, lane_of(i), x, row_from(s, (size_t)i)};
         Around around = {.area = {0}};
         if (wanted & SWEEP_SPRINGS && !clear)
             around.f = lanes3_load(&f[i]);
-        const int beside = go_round(s, slice, x, a, wanted, law, &around);
+        const int beside = go_round(&part, wanted, law, &around);
         if (wanted & SWEEP_SPRINGS) {
-            const int left = s->from[slice + 1] - beside;
-            around.f = look_around(s, beside, left, x, a, wanted, law, around.f, NULL);
+            const int left = s->from[part.slice + 1] - beside;
+            around.f = look_around(&part, beside, left, wanted, law, around.f, NULL);
             lanes3_store(&f[i], around.f);
         }
         if (wanted & SWEEP_GRADIENT) {
-            const Lanes3 g = lanes3_times((real)1 / 12 + (lanes){0}, around.gradient);
+            const Lanes3 g = lanes3_times((real)1 / 12 + none, around.gradient);
             lanes3_store(&gradient[i], g);
-            area += to_sums(around.area);
+            lanes_sum(&area, around.area);
             if (wanted & SWEEP_VOLUME)
-                volume += to_sums(lanes3_dot(lanes3_minus(a, origin), g));
+                lanes_sum(&volume, lanes3_dot(lanes3_minus(part.a, origin), g));
         }
     }
     return (SweepSums){sum_of(area) / 2, sum_of(volume) / 3};
@@ -194,7 +200,7 @@ static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x,
 }
 
 static void split(const real4* restrict x, int from, int to, real* const line[3]) {
-    for (int i = from; i < to; i += LANES) {
+    for (int i = from; i < to; i += WIDE) {
         const Lanes3 a = lanes3_load(&x[i]);
         lanes_store(&line[0][i], a.x);
         lanes_store(&line[1][i], a.y);
@@ -212,24 +218,24 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
                         const real4* restrict gradient, const real* restrict inverse_mass) {
     lanes second = none;
     double4 area2 = {0}, volume2 = {0};
-    for (int slice = from; slice < to; slice++) {
-        const int i = slice * LANES;
+    for (int i = from * LANES; i < to * LANES; i += WIDE) {
+        const int slice = i / LANES, lane = lane_of(i);
         const Lanes3 a = lanes3_load(&x[i]), g = lanes3_load(&gradient[i]);
         const lanes w = lanes_load(&inverse_mass[i]);
-        uint32_t own[LANES];
-        for (int k = 0; k < LANES; k++)
+        uint32_t own[WIDE];
+        for (int k = 0; k < WIDE; k++)
             own[k] = (uint32_t)((size_t)(i + k) * sizeof(real4));
         lanes rows = none, area = none;
-        int slot = s->from[slice];
-        const Lanes3 first = lanes3_minus(lanes3_gather(x, s->place[slot]), a);
+        const uint32_t(*place)[LANES] = (const uint32_t(*)[LANES]) & s->place[s->from[slice]];
+        const Lanes3 first = lanes3_minus(lanes3_gather(x, &place[0][lane]), a);
         Lanes3 b = first;
         lanes ab = length_of(b);
-        for (int k = s->faces[slice]; k > 0; k--, slot += 2) {
-            const Lanes3 c = lanes3_minus(lanes3_gather(x, s->place[slot + 1]), a);
-            const Lanes3 d = k > 1 ? lanes3_minus(lanes3_gather(x, s->place[slot + 2]), a) : first;
+        for (int k = s->faces[slice]; k > 0; k--, place += 2) {
+            const Lanes3 c = lanes3_minus(lanes3_gather(x, &place[1][lane]), a);
+            const Lanes3 d = k > 1 ? lanes3_minus(lanes3_gather(x, &place[2][lane]), a) : first;
             const lanes ac = length_of(c), ad = length_of(d), bd = length_of(lanes3_minus(d, b));
-            const lane_mask triangle = same_place(s->place[slot], s->place[slot + 1]);
-            const lane_mask is = ~same_place(own, s->place[slot + 1]);
+            const lane_mask triangle = same_place(&place[0][lane], &place[1][lane]);
+            const lane_mask is = ~same_place(own, &place[1][lane]);
             const lanes three = ab + ad + bd;
             const lanes row = lanes_select(triangle, 2 * three, 2 * (ac + bd) + three);
             rows += lanes_select(is, row, none);
@@ -238,37 +244,44 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
             ab = ad;
         }
         second = lanes_higher(second, rows * w);
-        area2 += to_sums(area * area * w);
-        volume2 += to_sums(lanes3_dot(g, g) * w);
+        lanes_sum(&area2, area * area * w);
+        lanes_sum(&volume2, lanes3_dot(g, g) * w);
     }
     SweepSteep sum = {0, sum_of(area2) / 4, sum_of(volume2)};
-    for (int k = 0; k < LANES; k++)
+    for (int k = 0; k < WIDE; k++)
         sum.second = fmax(sum.second, (double)second[k] / 12);
     return sum;
 }
 
-/// Two particles side by side.
-static ALWAYS lanes both(const real* a) {
-    const real4 low = {a[0], a[0], a[0], a[0]}, high = {a[1], a[1], a[1], a[1]};
+enum { VECTORS = WIDE / 4 }; ///< in a register
+
+/// A number of each of as many particles.
+static ALWAYS lanes each(const real* a) {
+    const real4 low = {a[0], a[0], a[0], a[0]};
+#if WIDE == 8
+    const real4 high = {a[1], a[1], a[1], a[1]};
     return lanes_join(low, high);
+#else
+    return low;
+#endif
 }
 
 static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
                                const real4* restrict gradient, const real* restrict mass,
                                const real* restrict inverse_mass, real h, real4* restrict v,
                                real4* restrict f) {
-    const lanes a = lanes_join(uniform->acceleration, uniform->acceleration);
+    const lanes a = lanes_repeat(uniform->acceleration);
     const real p = (real)uniform->pressure;
     const real drag = (real)uniform->drag, rate = (real)uniform->rate;
-    for (int i = from; i < to; i += 2) {
+    for (int i = from; i < to; i += VECTORS) {
         real *const vi = (real*)&v[i], *const fi = (real*)&f[i];
-        const lanes m = both(&mass[i]), now = lanes_load(vi);
+        const lanes m = each(&mass[i]), now = lanes_load(vi);
         lanes sum = lanes_load(fi) + m * a - (drag + rate * m) * now;
         if (gradient)
             sum += p * lanes_load((const real*)&gradient[i]);
         lanes_store(fi, sum);
         if (h > 0)
-            lanes_store(vi, now + (h * both(&inverse_mass[i])) * sum);
+            lanes_store(vi, now + (h * each(&inverse_mass[i])) * sum);
     }
 }
 

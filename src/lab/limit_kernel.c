@@ -4,7 +4,7 @@
 
 static void triad(real* restrict a, const real* restrict b, const real* restrict c, real s,
                   int count) {
-    for (int i = 0; i < count; i += LANES)
+    for (int i = 0; i < count; i += WIDE)
         lanes_store(&a[i], lanes_load(&b[i]) + s * lanes_load(&c[i]));
 }
 
@@ -18,7 +18,7 @@ static double multiply_add(int rounds, real* out) {
         a4 = a4 * m + b, a5 = a5 * m + b, a6 = a6 * m + b, a7 = a7 * m + b;
     }
     lanes_store(out, a0 + a1 + a2 + a3 + a4 + a5 + a6 + a7);
-    return 2.0 * CHAINS * LANES * rounds;
+    return 2.0 * CHAINS * WIDE * rounds;
 }
 
 #ifdef KERNEL_V3

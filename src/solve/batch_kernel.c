@@ -3,7 +3,7 @@
 
 #define ALWAYS inline __attribute__((always_inline))
 
-/// Eight constraints now: the direction in which their length grows, their pull over the stiffness,
+/// Constraints now: the direction in which their length grows, their pull over the stiffness,
 /// and how that grows. One of no length pulls nowhere: its direction is zero.
 typedef struct Stretched {
     Lanes3 n;
@@ -39,32 +39,34 @@ static ALWAYS Lanes3 change(const Stretched* s, lanes stiff, lanes weight, Lanes
                         lanes3_times(back, aside));
 }
 
-static ALWAYS void scatter(real4* u, const uint32_t place[LANES], Lanes3 v, int filled) {
-    real4 out[LANES];
+static ALWAYS void scatter(real4* u, const uint32_t* place, Lanes3 v, int filled) {
+    real4 out[WIDE];
     lanes3_store(out, v);
-    for (int k = 0; k < filled; k++)
+    for (int k = 0; k < WIDE && k < filled; k++)
         *(real4*)((char*)u + place[k]) = out[k];
 }
 
 static ALWAYS void relax(Batches* batches, SpringLaw law, const real4* restrict x,
                          real4* restrict u) {
-    for (int b = 0; b < batches->count; b++) {
-        const uint32_t *i = batches->end[b][0], *j = batches->end[b][1];
-        const lanes wi = lanes_load(batches->weight[b][0]), wj = lanes_load(batches->weight[b][1]);
+    for (int n = 0; n < batches->count * LANES; n += WIDE) {
+        const int b = n / LANES, lane = lane_of(n);
+        const uint32_t *i = &batches->end[b][0][lane], *j = &batches->end[b][1][lane];
+        const lanes wi = lanes_load(&batches->weight[b][0][lane]);
+        const lanes wj = lanes_load(&batches->weight[b][1][lane]);
         real(*impulse)[LANES] = batches->impulse[b];
         const Lanes3 ui = lanes3_gather(u, i), uj = lanes3_gather(u, j);
         const Lanes3 d = lanes3_plus(lanes3_minus(lanes3_gather(x, j), lanes3_gather(x, i)),
                                      lanes3_minus(uj, ui));
-        const Stretched now = stretched(d, lanes_load(batches->rest[b]), law);
-        const Lanes3 given = {lanes_load(impulse[0]), lanes_load(impulse[1]),
-                              lanes_load(impulse[2])};
-        const Lanes3 by = change(&now, lanes_load(batches->stiff[b]), wi + wj, given);
+        const Stretched now = stretched(d, lanes_load(&batches->rest[b][lane]), law);
+        const Lanes3 given = {lanes_load(&impulse[0][lane]), lanes_load(&impulse[1][lane]),
+                              lanes_load(&impulse[2][lane])};
+        const Lanes3 by = change(&now, lanes_load(&batches->stiff[b][lane]), wi + wj, given);
         const Lanes3 all = lanes3_plus(given, by);
-        lanes_store(impulse[0], all.x);
-        lanes_store(impulse[1], all.y);
-        lanes_store(impulse[2], all.z);
-        scatter(u, i, lanes3_minus(ui, lanes3_times(wi, by)), batches->filled[b]);
-        scatter(u, j, lanes3_plus(uj, lanes3_times(wj, by)), batches->filled[b]);
+        lanes_store(&impulse[0][lane], all.x);
+        lanes_store(&impulse[1][lane], all.y);
+        lanes_store(&impulse[2][lane], all.z);
+        scatter(u, i, lanes3_minus(ui, lanes3_times(wi, by)), batches->filled[b] - lane);
+        scatter(u, j, lanes3_plus(uj, lanes3_times(wj, by)), batches->filled[b] - lane);
     }
 }
 

@@ -3,22 +3,35 @@
 
 #define ALWAYS inline __attribute__((always_inline))
 
+/// A row or column of a tile, on every machine: each step needs all of the one before.
+typedef real eight __attribute__((vector_size(LANES * sizeof(real))));
+
+static ALWAYS eight eight_load(const real* a) {
+    eight v;
+    __builtin_memcpy(&v, a, sizeof v);
+    return v;
+}
+
+static ALWAYS void eight_store(real* a, eight v) {
+    __builtin_memcpy(a, &v, sizeof v);
+}
+
 /// The tile of a row of tiles and a column.
 static ALWAYS Tile* tile_of(const Coarsest* coarsest, int c, int d) {
     return &coarsest->tile[coarsest->from[c] + d - coarsest->first[c]];
 }
 
 /// columns -= L_ce L_de^T, eight columns of eight rows; L_ce by columns
-static ALWAYS void take_product(lanes columns[LANES], const Tile* ce, const Tile* de) {
+static ALWAYS void take_product(eight columns[LANES], const Tile* ce, const Tile* de) {
     for (int k = 0; k < LANES; k++) {
-        const lanes column = lanes_load(ce->row[k]);
+        const eight column = eight_load(ce->row[k]);
         for (int s = 0; s < LANES; s++)
             columns[s] -= de->row[s][k] * column;
     }
 }
 
 /// columns = columns L_dd^-T
-static ALWAYS void divide(lanes columns[LANES], const Tile* dd, const real* inverse) {
+static ALWAYS void divide(eight columns[LANES], const Tile* dd, const real* inverse) {
     for (int s = 0; s < LANES; s++) {
         for (int k = 0; k < s; k++)
             columns[s] -= dd->row[s][k] * columns[k];
@@ -30,7 +43,7 @@ static ALWAYS void divide(lanes columns[LANES], const Tile* dd, const real* inve
 static const real least = (real)1e-4;
 
 /// L_cc in place of A_cc - …, by columns; of its diagonal, the inverse.
-static ALWAYS void take_root(lanes columns[LANES], const real* whole, real* inverse) {
+static ALWAYS void take_root(eight columns[LANES], const real* whole, real* inverse) {
     for (int s = 0; s < LANES; s++) {
         const real pivot = columns[s][s];
         inverse[s] = pivot > least * whole[s] ? 1 / real_sqrt(pivot) : 0;
@@ -53,10 +66,10 @@ static void factor(Coarsest* coarsest) {
         for (int d = coarsest->first[c]; d <= c; d++) {
             Tile *tile = tile_of(coarsest, c, d), *turned = &coarsest->turned[d];
             turn(tile, turned);
-            lanes columns[LANES];
+            eight columns[LANES];
             real whole[LANES];
             for (int s = 0; s < LANES; s++) {
-                columns[s] = lanes_load(turned->row[s]);
+                columns[s] = eight_load(turned->row[s]);
                 whole[s] = tile->row[s][s];
             }
             const int from =
@@ -68,13 +81,13 @@ static void factor(Coarsest* coarsest) {
             else
                 take_root(columns, whole, &coarsest->inverse[c * LANES]);
             for (int s = 0; s < LANES; s++)
-                lanes_store(turned->row[s], columns[s]);
+                eight_store(turned->row[s], columns[s]);
             turn(turned, tile);
         }
 }
 
 /// In the order of the lanes, so that every machine rounds alike.
-static ALWAYS real sum_of(lanes a) {
+static ALWAYS real sum_of(eight a) {
     return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7]));
 }
 
@@ -82,11 +95,11 @@ static ALWAYS real sum_of(lanes a) {
 static ALWAYS void go_down(const Coarsest* coarsest, real* y) {
     for (int c = 0; c < coarsest->count; c++) {
         const Tile* tile = tile_of(coarsest, c, coarsest->first[c]);
-        lanes known[LANES] = {{0}, {0}, {0}, {0}, {0}, {0}, {0}, {0}};
+        eight known[LANES] = {{0}, {0}, {0}, {0}, {0}, {0}, {0}, {0}};
         for (int e = coarsest->first[c]; e < c; e++, tile++) {
-            const lanes above = lanes_load(&y[e * LANES]);
+            const eight above = eight_load(&y[e * LANES]);
             for (int r = 0; r < LANES; r++)
-                known[r] += lanes_load(tile->row[r]) * above;
+                known[r] += eight_load(tile->row[r]) * above;
         }
         real* own = &y[c * LANES];
         for (int r = 0; r < LANES; r++) {
@@ -102,20 +115,20 @@ static ALWAYS void go_down(const Coarsest* coarsest, real* y) {
 static ALWAYS void go_up(const Coarsest* coarsest, real* y) {
     for (int c = coarsest->count - 1; c >= 0; c--) {
         const Tile* tile = tile_of(coarsest, c, c);
-        lanes left = lanes_load(&y[c * LANES]);
+        eight left = eight_load(&y[c * LANES]);
         real own[LANES];
         for (int s = LANES - 1; s >= 0; s--) {
             own[s] = left[s] * coarsest->inverse[c * LANES + s];
-            left -= own[s] * lanes_load(tile->row[s]);
+            left -= own[s] * eight_load(tile->row[s]);
         }
         for (int s = 0; s < LANES; s++)
             y[c * LANES + s] = own[s];
         for (int e = c - 1; e >= coarsest->first[c]; e--) {
             tile--;
-            lanes above = lanes_load(&y[e * LANES]);
+            eight above = eight_load(&y[e * LANES]);
             for (int s = 0; s < LANES; s++)
-                above -= own[s] * lanes_load(tile->row[s]);
-            lanes_store(&y[e * LANES], above);
+                above -= own[s] * eight_load(tile->row[s]);
+            eight_store(&y[e * LANES], above);
         }
     }
 }

@@ -5,20 +5,22 @@
 
 static ALWAYS void sum_slices(const Sums* sums, const real4* in, bool add, bool turns,
                               real4* restrict out) {
-    for (int s = 0; s < sums->count; s++) {
+    for (int i = 0; i < sums->count * LANES; i += WIDE) {
+        const int s = i / LANES, lane = lane_of(i);
         Lanes3 sum = {{0}, {0}, {0}};
         if (add)
-            sum = lanes3_load(&out[s * LANES]);
+            sum = lanes3_load(&out[i]);
         for (int slot = sums->from[s]; slot < sums->from[s + 1]; slot++) {
-            const Lanes3 from = lanes3_gather(in, sums->place[slot]);
-            sum = lanes3_plus(sum, lanes3_times(lanes_load(sums->weight[slot]), from));
+            const Lanes3 from = lanes3_gather(in, &sums->place[slot][lane]);
+            sum = lanes3_plus(sum, lanes3_times(lanes_load(&sums->weight[slot][lane]), from));
             if (turns) {
                 const real(*arm)[LANES] = (const real(*)[LANES])sums->arm[slot];
-                const Lanes3 m = {lanes_load(arm[0]), lanes_load(arm[1]), lanes_load(arm[2])};
+                const Lanes3 m = {lanes_load(&arm[0][lane]), lanes_load(&arm[1][lane]),
+                                  lanes_load(&arm[2][lane])};
                 sum = lanes3_plus(sum, lanes3_cross(from, m));
             }
         }
-        lanes3_store(&out[s * LANES], sum);
+        lanes3_store(&out[i], sum);
     }
 }
 

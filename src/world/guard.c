@@ -127,8 +127,8 @@ static bool has_no_room(const Body* body) {
 static int bad_particle(const Body* body, double h) {
     const real most = (real)(reach * body->size / h);
     // where all are slower than this, none is so fast against the mean: 2 sqrt(3) < 4
-    const Extent v = extent_of(body->v, body->count), x = extent_of(body->x, body->count);
-    if (extent_within(&v, most / 4) && extent_within(&x, real_sqrt(REAL_MOST) / 2))
+    if (all_within(body->v, body->count, most / 4) &&
+        all_within(body->x, body->count, real_sqrt(REAL_MOST) / 2))
         return NONE;
 
     real4 sum = {0, 0, 0, 0};

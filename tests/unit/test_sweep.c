@@ -178,18 +178,27 @@ static void extents_hold_all_and_see_what_is_no_number(void** state) {
                 want.low[k] = real_min(want.low[k], a[i][k]);
                 want.high[k] = real_max(want.high[k], a[i][k]);
             }
-        const Extent got = extent_of(a, count), plain = extent_baseline(a, count);
+        const Extent got = extent_of(a, count), plain = extent_baseline.extent(a, count);
         assert_memory_equal(&got, &want, sizeof want);
         assert_memory_equal(&plain, &want, sizeof want);
-        assert_true(extent_within(&got, 1));
+        real largest = 0;
+        for (int k = 0; k < 3; k++)
+            largest = real_max(largest, real_max(-want.low[k], want.high[k]));
+        for (int n = 0; n < 2; n++) {
+            const real most = n ? largest : largest * (1 - REAL_EPSILON);
+            assert_true(all_within(a, count, most) == (n == 1));
+            assert_true(extent_baseline.within(a, count, most) == (n == 1));
+        }
         assert_true(extent_length(&got) <= sqrt(3));
         for (int i = 0; i < count; i++) {
             assert_true(extent_length(&got) >= (double)length(a[i]));
             const real4 kept = a[i];
             a[i][i % 3] = (real)NAN;
-            const Extent odd = extent_of(a, count), odd_plain = extent_baseline(a, count);
-            assert_false(extent_within(&odd, REAL_MOST));
-            assert_false(extent_within(&odd_plain, REAL_MOST));
+            const Extent odd = extent_of(a, count), odd_plain = extent_baseline.extent(a, count);
+            assert_true(odd.low[i % 3] == -INFINITY && odd.high[i % 3] == INFINITY);
+            assert_true(odd_plain.low[i % 3] == -INFINITY && odd_plain.high[i % 3] == INFINITY);
+            assert_false(all_within(a, count, REAL_MOST));
+            assert_false(extent_baseline.within(a, count, REAL_MOST));
             a[i] = kept;
         }
         free(a);
