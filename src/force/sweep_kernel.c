@@ -266,6 +266,7 @@ static ALWAYS lanes each(const real* a) {
 #endif
 }
 
+/// mass: NULL where nothing goes by it.
 static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
                                const real4* restrict gradient, const real* restrict mass,
                                const real* restrict inverse_mass, real h, real4* restrict v,
@@ -275,8 +276,10 @@ static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
     const real drag = (real)uniform->drag, rate = (real)uniform->rate;
     for (int i = from; i < to; i += VECTORS) {
         real *const vi = (real*)&v[i], *const fi = (real*)&f[i];
-        const lanes m = each(&mass[i]), now = lanes_load(vi);
-        lanes sum = lanes_load(fi) + m * a - (drag + rate * m) * now;
+        const lanes now = lanes_load(vi);
+        lanes sum = lanes_load(fi) - drag * now;
+        if (mass)
+            sum += each(&mass[i]) * (a - rate * now);
         if (gradient)
             sum += p * lanes_load((const real*)&gradient[i]);
         lanes_store(fi, sum);
@@ -288,10 +291,16 @@ static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
 static void add_uniform_wanted(const Uniform* uniform, int from, int to, const real4* gradient,
                                const real* mass, const real* inverse_mass, real h, real4* v,
                                real4* f) {
-    if (!gradient)
-        add_uniform(uniform, from, to, NULL, mass, inverse_mass, h, v, f);
-    else
+    const real4 a = uniform->acceleration;
+    const bool by_mass = uniform->rate != 0 || a[0] != 0 || a[1] != 0 || a[2] != 0;
+    if (by_mass && gradient)
         add_uniform(uniform, from, to, gradient, mass, inverse_mass, h, v, f);
+    else if (by_mass)
+        add_uniform(uniform, from, to, NULL, mass, inverse_mass, h, v, f);
+    else if (gradient)
+        add_uniform(uniform, from, to, gradient, NULL, inverse_mass, h, v, f);
+    else
+        add_uniform(uniform, from, to, NULL, NULL, inverse_mass, h, v, f);
 }
 
 #ifdef KERNEL_V3
