@@ -277,9 +277,13 @@ static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
     for (int i = from; i < to; i += VECTORS) {
         real *const vi = (real*)&v[i], *const fi = (real*)&f[i];
         const lanes now = lanes_load(vi);
-        lanes sum = lanes_load(fi) - drag * now;
-        if (mass)
-            sum += each(&mass[i]) * (a - rate * now);
+        lanes sum = lanes_load(fi);
+        if (mass) {
+            const lanes m = each(&mass[i]);
+            sum = sum + m * a - (drag + rate * m) * now;
+        } else {
+            sum -= drag * now;
+        }
         if (gradient)
             sum += p * lanes_load((const real*)&gradient[i]);
         lanes_store(fi, sum);
