@@ -252,16 +252,6 @@ static inline lanes lanes_each(const real* a) {
 #endif
 }
 
-/// sum[k] += each four of the lanes; WIDE / 4 of them.
-static inline void lanes_sum_each(double4* sum, lanes a) {
-#if WIDE == 8
-    sum[0] += to_double4(lanes_low(a));
-    sum[1] += to_double4(lanes_high(a));
-#else
-    sum[0] += to_double4(a);
-#endif
-}
-
 /// sum[k % 4] += a[k], in the order of the lanes.
 static inline void lanes_sum(double4* sum, lanes a) {
 #if WIDE == 8
@@ -269,6 +259,16 @@ static inline void lanes_sum(double4* sum, lanes a) {
     *sum += to_double4(lanes_high(a));
 #else
     *sum += to_double4(a);
+#endif
+}
+
+/// sum[k / 4][k % 4] += a[k - lane]: the lanes of eight, or more, that begin with `lane`.
+static inline void lanes_sum_apart(double4* sum, int lane, lanes a) {
+#if WIDE == 8
+    sum[lane / 4] += to_double4(lanes_low(a));
+    sum[lane / 4 + 1] += to_double4(lanes_high(a));
+#else
+    sum[lane / 4] += to_double4(a);
 #endif
 }
 

@@ -13,7 +13,7 @@ static double dot_of(const real4* a, const real4* b, int count) {
     int i = 0;
     for (; i + 4 <= count; i += 4)
         for (int k = 0; k < 4; k += VECTORS)
-            lanes_sum_each(&sum[k], load(&a[i + k]) * load(&b[i + k]));
+            lanes_sum_apart(sum, 4 * k, load(&a[i + k]) * load(&b[i + k]));
     for (; i < count; i++)
         sum[0] += to_double4(a[i] * b[i]);
     const double4 all = (sum[0] + sum[1]) + (sum[2] + sum[3]);
@@ -26,7 +26,7 @@ static double weigh(const real* w, const real4* a, int count) {
     for (; i + 2 <= count; i += 2)
         for (int k = 0; k < 2; k += VECTORS) {
             const lanes v = load(&a[i + k]);
-            lanes_sum_each(&sum[k], lanes_each(&w[i + k]) * (v * v));
+            lanes_sum_apart(sum, 4 * k, lanes_each(&w[i + k]) * (v * v));
         }
     for (; i < count; i++)
         sum[0] += to_double4(w[i] * (a[i] * a[i]));

@@ -13,18 +13,18 @@ static const ExtentKernels* kernels(void) {
 
 enum { PARTS_MOST = 64, PART_LEAST = 4096 }; ///< [1], [vectors]
 
-/// What the parts are given, and what they find.
+/// What the parts are given, and where they put what they find.
 typedef struct Job {
     const real4* a;
     int count, parts;
     real most;
-    Extent extent[PARTS_MOST];
-    bool within[PARTS_MOST];
+    Extent* extent; ///< [parts], or
+    bool* within;   ///< [parts]
 } Job;
 
-static Job job_of(const real4* a, int count) {
+static int parts_for(int count) {
     const int parts = count / PART_LEAST + 1;
-    return (Job){.a = a, .count = count, .parts = parts < PARTS_MOST ? parts : PARTS_MOST};
+    return parts < PARTS_MOST ? parts : PARTS_MOST;
 }
 
 static int part_from(const Job* job, int part) {
@@ -32,35 +32,37 @@ static int part_from(const Job* job, int part) {
 }
 
 static void part_extent(void* self, int part) {
-    Job* job = self;
+    const Job* job = self;
     const int from = part_from(job, part), to = part_from(job, part + 1);
     job->extent[part] = kernels()->extent(&job->a[from], to - from);
 }
 
 Extent extent_of(const real4* a, int count) {
-    Job job = job_of(a, count);
-    crew_run(part_extent, &job, job.parts);
-    Extent all = job.extent[0];
-    for (int part = 1; part < job.parts; part++)
+    Extent found[PARTS_MOST];
+    const int parts = parts_for(count);
+    crew_run(part_extent, &(Job){.a = a, .count = count, .parts = parts, .extent = found}, parts);
+    Extent all = found[0];
+    for (int part = 1; part < parts; part++)
         for (int k = 0; k < 3; k++) {
-            all.low[k] = real_min(all.low[k], job.extent[part].low[k]);
-            all.high[k] = real_max(all.high[k], job.extent[part].high[k]);
+            all.low[k] = real_min(all.low[k], found[part].low[k]);
+            all.high[k] = real_max(all.high[k], found[part].high[k]);
         }
     return all;
 }
 
 static void part_within(void* self, int part) {
-    Job* job = self;
+    const Job* job = self;
     const int from = part_from(job, part), to = part_from(job, part + 1);
     job->within[part] = kernels()->within(&job->a[from], to - from, job->most);
 }
 
 bool all_within(const real4* a, int count, real most) {
-    Job job = job_of(a, count);
-    job.most = most;
-    crew_run(part_within, &job, job.parts);
-    for (int part = 0; part < job.parts; part++)
-        if (!job.within[part])
+    bool found[PARTS_MOST];
+    const int parts = parts_for(count);
+    Job job = {.a = a, .count = count, .parts = parts, .most = most, .within = found};
+    crew_run(part_within, &job, parts);
+    for (int part = 0; part < parts; part++)
+        if (!found[part])
             return false;
     return true;
 }

@@ -44,15 +44,16 @@ static void begin(const BlockSlices* slices, const real4* b, real4* restrict out
 
 static double relax(const BlockSlices* slices, const real4* b, const real4* x,
                     real4* restrict out) {
-    double4 along = {0};
+    double4 sum[LANES / 4] = {{0}, {0}};
     for (int i = 0; i < slices->count * LANES; i += WIDE) {
         const Lanes3 right = lanes3_load(&b[i]);
         const Lanes3 left = lanes3_minus(right, rows_times(slices, i, x));
         const Lanes3 next = lanes3_plus(lanes3_load(&x[i]), inverse_times(slices, i, left));
         lanes3_store(&out[i], next);
-        lanes_sum(&along, lanes3_dot(right, next));
+        lanes_sum_apart(sum, lane_of(i), lanes3_dot(right, next));
     }
-    return (along[0] + along[1]) + (along[2] + along[3]);
+    const double4 all = sum[0] + sum[1];
+    return (all[0] + all[1]) + (all[2] + all[3]);
 }
 
 static ALWAYS void store(LaneBlock* block, int lane, int column, Lanes3 v) {

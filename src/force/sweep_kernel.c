@@ -253,6 +253,8 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
     return sum;
 }
 
+enum { VECTORS = WIDE / 4 }; ///< in a register
+
 /// mass: NULL where nothing goes by it.
 static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
                                const real4* restrict gradient, const real* restrict mass,
@@ -261,12 +263,16 @@ static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
     const lanes a = lanes_repeat(uniform->acceleration);
     const real p = (real)uniform->pressure;
     const real drag = (real)uniform->drag, rate = (real)uniform->rate;
-    for (int i = from; i < to; i += WIDE / 4) {
+    for (int i = from; i < to; i += VECTORS) {
         real *const vi = (real*)&v[i], *const fi = (real*)&f[i];
         const lanes now = lanes_load(vi);
-        lanes sum = lanes_load(fi) - drag * now;
-        if (mass)
-            sum += lanes_each(&mass[i]) * (a - rate * now);
+        lanes sum = lanes_load(fi);
+        if (mass) {
+            const lanes m = lanes_each(&mass[i]);
+            sum = sum + m * a - (drag + rate * m) * now;
+        } else {
+            sum -= drag * now;
+        }
         if (gradient)
             sum += p * lanes_load((const real*)&gradient[i]);
         lanes_store(fi, sum);

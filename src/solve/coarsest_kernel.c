@@ -86,7 +86,7 @@ static void factor(Coarsest* coarsest) {
         }
 }
 
-/// In the order of the eight, so that every machine rounds alike.
+/// In the order of the lanes, so that every machine rounds alike.
 static ALWAYS real sum_of(eight a) {
     return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7]));
 }
