@@ -42,8 +42,8 @@ enum {
 /// The paper's setting, whatever the scene that it begins with may say.
 static const char* const setting[] = {
     "step=0.016666666666666666", "gravity=0", "method=newton", "balloons.0.size=0.2",
-    "balloons.0.skin={membrane: {material: stvk-3d, young: 1e6, poisson: 0.45, density: 1000, "
-    "thickness: 3e-4, volume: global}}"};
+    ("balloons.0.skin={membrane: {material: stvk-3d, young: 1e6, poisson: 0.45, density: 1000, "
+     "thickness: 3e-4, volume: global}}")};
 enum { SETTINGS = sizeof setting / sizeof *setting, SETS = SETTINGS + 3 };
 
 /// What the counted frames of one model added up to.
