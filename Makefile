@@ -74,12 +74,12 @@ check: packages-build packages-run packages-test packages-check
 	    programs tests
 	@tests/bits.sh build/gcc build/clang
 	@echo "sanitizers"
-	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/sanitized \
-	    EXTRA="-Werror -fsanitize=address,undefined -fno-sanitize-recover=all" programs tests
-	@tests/run.sh build/sanitized
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/threads EXTRA="-Werror -fsanitize=thread" \
 	    build/threads/float/tests/test_crew
 	@build/threads/float/tests/test_crew
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/sanitized \
+	    EXTRA="-Werror -fsanitize=address,undefined -fno-sanitize-recover=all" programs tests
+	@tests/run.sh build/sanitized
 
 bench: packages-build
 	@$(MAKE) --no-print-directory -j$(JOBS) programs
