@@ -5,6 +5,7 @@
 
 #include "base/crew.h"
 #include "base/memory.h"
+#include "base/vectors.h"
 #include "mesh/measure.h"
 
 void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass) {
@@ -176,11 +177,6 @@ void body_push(Body* body, double h) {
     push(body->v, body->f, body->inverse_mass, body->count, (real)h);
 }
 
-static void drift(real4* restrict x, const real4* restrict v, int count, real h) {
-    for (int i = 0; i < count; i++)
-        x[i] += h * v[i];
-}
-
 /// What the parts of a drift are given.
 typedef struct Drift {
     Body* body;
@@ -190,8 +186,8 @@ typedef struct Drift {
 static void drift_part(void* self, int part) {
     const Drift* d = self;
     const int from = part * PART_PARTICLES, left = d->body->count - from;
-    drift(&d->body->x[from], &d->body->v[from], left < PART_PARTICLES ? left : PART_PARTICLES,
-          d->h);
+    vectors()->add(&d->body->x[from], d->h, &d->body->v[from],
+                   left < PART_PARTICLES ? left : PART_PARTICLES);
 }
 
 void body_drift(Body* body, double h) {

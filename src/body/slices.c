@@ -189,7 +189,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     slices->from = new_array(int, slices->count + 1);
     slices->faces = new_array(int, slices->count);
     slices->counted_from = new_array(int, slices->count + 1);
-    slices->sum = new_array(double[3], parts_of(slices->count, PART_SLICES));
+    slices->sum = new_array(double[5], parts_of(slices->count, PART_SLICES));
     Maker maker = {.mesh = mesh, .springs = springs, .met = new_array(int, count)};
     for (int i = 0; i < count; i++)
         maker.met[i] = NONE;

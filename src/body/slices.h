@@ -43,7 +43,7 @@ typedef struct Slices {
     bool open;                ///< there is a rim
     bool* row;                ///< [slots] its eight neighbours follow each other
     real* line[3];            ///< [particles] x, y and z of the sweep at hand, for rows [m]
-    double (*sum)[3];         ///< [parts] room for sums over the slices of each part
+    double (*sum)[5];         ///< [parts] room for sums over the slices of each part
 } Slices;
 
 /// Slices of `count` particles. mesh or springs may be NULL: then there are no rings, or only them.

@@ -55,8 +55,8 @@ static double energy(const Body* body) {
 /// d(p dV/dx)/dx = p d2V/dx2 + dV/dx (dp/dx)^T: a bound on each part, over the masses.
 static double bound(const Body* body) {
     const Inflation* inflation = &body->inflation;
-    const SweepSums sums = sweep(body, of_sweep(body));
     const SweepSteep steep = sweep_steep(body);
+    const SweepSums sums = steep.sums;
     const double p = pressure_of(inflation, sums.area, sums.volume);
     const double stiff = fabs(p) * steep.second;
     if (inflation->law == INFLATE_AREA)

@@ -15,7 +15,7 @@ typedef struct Kernels {
                        SpringLaw law, real4* f, real4* gradient);
 
     SweepSteep (*steep)(const Slices* slices, int from, int to, const real4* x,
-                        const real4* gradient, const real* inverse_mass);
+                        const real* inverse_mass);
 
     /// uniform.h, over particles from … to - 1: f += what acts on all; v += h f / m where h > 0.
     void (*uniform)(const Uniform* uniform, int from, int to, const real4* gradient,

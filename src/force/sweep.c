@@ -52,12 +52,13 @@ SweepSums sweep(const Body* body, unsigned wanted) {
 static void steep_part(void* self, int part) {
     const Body* body = ((const Job*)self)->body;
     const Slices* slices = &body->slices;
-    const SweepSteep steep =
-        kernels()->steep(slices, part * PART_SLICES, part_end(slices, part), body->x,
-                         body->inflation.gradient, body->inverse_mass);
+    const SweepSteep steep = kernels()->steep(slices, part * PART_SLICES, part_end(slices, part),
+                                              body->x, body->inverse_mass);
     slices->sum[part][0] = steep.second;
     slices->sum[part][1] = steep.area2;
     slices->sum[part][2] = steep.volume2;
+    slices->sum[part][3] = steep.sums.area;
+    slices->sum[part][4] = steep.sums.volume;
 }
 
 SweepSteep sweep_steep(const Body* body) {
@@ -69,6 +70,8 @@ SweepSteep sweep_steep(const Body* body) {
         steep.second = fmax(steep.second, slices->sum[part][0]);
         steep.area2 += slices->sum[part][1];
         steep.volume2 += slices->sum[part][2];
+        steep.sums.area += slices->sum[part][3];
+        steep.sums.volume += slices->sum[part][4];
     }
     return steep;
 }

@@ -34,7 +34,8 @@ SweepSums sweep(const Body* body, unsigned wanted);
 typedef struct SweepSteep {
     double second;  ///< largest over particles a of sum over corners k |d2V / da dx_k| / m_a [m/kg]
     double area2;   ///< sum of |dA/da|^2 / m_a, its bound [m^2/kg]
-    double volume2; ///< sum of |dV/da|^2 / m_a, at the gradient of the last sweep [m^4/kg]
+    double volume2; ///< sum of |dV/da|^2 / m_a [m^4/kg]
+    SweepSums sums; ///< area and volume
 } SweepSteep;
 
 SweepSteep sweep_steep(const Body* body);

@@ -215,13 +215,16 @@ static ALWAYS lanes length_of(Lanes3 a) {
 /// A quad's row sum is (2 (ac + bd) + ab + ad + bd) / 12, a triangle's (ab + ad + bd) / 6, and its
 /// |dA/da| is bd / 2.
 static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict x,
-                        const real4* restrict gradient, const real* restrict inverse_mass) {
+                        const real* restrict inverse_mass) {
     lanes second = none;
-    double4 area2 = {0}, volume2 = {0};
+    double4 area2 = {0}, volume2 = {0}, areas = {0}, volume = {0};
+    const Lanes3 origin = {x[0][0] + none, x[0][1] + none, x[0][2] + none};
     for (int i = from * LANES; i < to * LANES; i += WIDE) {
         const int slice = i / LANES, lane = lane_of(i);
-        const Lanes3 a = lanes3_load(&x[i]), g = lanes3_load(&gradient[i]);
+        const Lanes3 a = lanes3_load(&x[i]);
         const lanes w = lanes_load(&inverse_mass[i]);
+        Lanes3 g = {{0}, {0}, {0}};
+        lanes corners = none;
         uint32_t own[WIDE];
         for (int k = 0; k < WIDE; k++)
             own[k] = (uint32_t)((size_t)(i + k) * sizeof(real4));
@@ -233,21 +236,30 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
         for (int k = s->faces[slice]; k > 0; k--, place += 2) {
             const Lanes3 c = lanes3_minus(lanes3_gather(x, &place[1][lane]), a);
             const Lanes3 d = k > 1 ? lanes3_minus(lanes3_gather(x, &place[2][lane]), a) : first;
-            const lanes ac = length_of(c), ad = length_of(d), bd = length_of(lanes3_minus(d, b));
+            const Lanes3 across = lanes3_minus(d, b), twice = lanes3_cross(c, across);
+            const lanes ac = length_of(c), ad = length_of(d), bd = length_of(across);
             const lane_mask triangle = same_place(&place[0][lane], &place[1][lane]);
             const lane_mask is = ~same_place(own, &place[1][lane]);
             const lanes three = ab + ad + bd;
             const lanes row = lanes_select(triangle, 2 * three, 2 * (ac + bd) + three);
             rows += lanes_select(is, row, none);
             area += lanes_select(is, bd, none);
+            const lanes share = lanes_select(triangle, (real)4 / 3 + none, 1 + none);
+            corners += share * length_of(twice);
+            g = lanes3_plus(g, s->open ? lanes3_times((real)1.5 * share, twice)
+                                       : lanes3_cross(lanes3_plus(b, c), across));
             b = d;
             ab = ad;
         }
         second = lanes_higher(second, rows * w);
         lanes_sum(&area2, area * area * w);
         lanes_sum(&volume2, lanes3_dot(g, g) * w);
+        lanes_sum(&areas, corners);
+        lanes_sum(&volume, lanes3_dot(lanes3_minus(a, origin), g));
     }
-    SweepSteep sum = {0, sum_of(area2) / 4, sum_of(volume2)};
+    SweepSteep sum = {.area2 = sum_of(area2) / 4,
+                      .volume2 = sum_of(volume2) / 144,
+                      .sums = {sum_of(areas) / 8, sum_of(volume) / 36}};
     for (int k = 0; k < WIDE; k++)
         sum.second = fmax(sum.second, (double)second[k] / 12);
     return sum;

@@ -103,9 +103,18 @@ static void rings_measure_what_faces_do(void** state) {
         for (int i = 0; i < body.count; i++)
             assert_near((double)length(body.inflation.gradient[i] - want[i]), 0,
                         20 * REAL_EPSILON * most);
-        if (mesh.closed)
-            assert_close(sweep(&body, SWEEP_GRADIENT | SWEEP_VOLUME).volume,
-                         measure_volume(&mesh, body.x), 100 * REAL_EPSILON);
+        const SweepSteep steep = sweep_steep(&body);
+        double volume2 = 0;
+        for (int i = 0; i < body.count; i++)
+            volume2 += (double)(body.inverse_mass[i] * dot(want[i], want[i]));
+        assert_close(steep.sums.area, area, 10 * REAL_EPSILON);
+        assert_close(steep.volume2, volume2, 20 * REAL_EPSILON);
+        if (mesh.closed) {
+            const double volume = measure_volume(&mesh, body.x);
+            assert_close(sweep(&body, SWEEP_GRADIENT | SWEEP_VOLUME).volume, volume,
+                         100 * REAL_EPSILON);
+            assert_close(steep.sums.volume, volume, 100 * REAL_EPSILON);
+        }
         free(want);
         body_free(&body);
         mesh_free(&mesh);
@@ -150,6 +159,11 @@ static void all_compilations_give_the_same_bits(void** state) {
             body_inflate(&other, &(Inflation){.law = INFLATE_AREA});
             const SweepSums a = one_step(&kernels_baseline, &one, goal);
             const SweepSums b = one_step(&kernels_v3, &other, goal);
+            const SweepSteep c =
+                kernels_baseline.steep(&one.slices, 0, one.slices.count, one.x, one.inverse_mass);
+            const SweepSteep d =
+                kernels_v3.steep(&other.slices, 0, other.slices.count, other.x, other.inverse_mass);
+            assert_memory_equal(&c, &d, sizeof c);
             const size_t bytes = (size_t)one.count * sizeof(real4);
             assert_memory_equal(&a, &b, sizeof a);
             assert_memory_equal(one.f, other.f, bytes);
