@@ -27,6 +27,8 @@ enum { LANES = 8 }; ///< side by side in arrays
 #define WIDE 4
 #endif
 
+enum { VECTORS = WIDE / 4 }; ///< of space, with their spare, in as many
+
 #ifdef BALLOON_DOUBLE
 typedef int64_t lane_bits;
 #else

@@ -2,8 +2,6 @@
 #include "base/lanes.h"
 #include "base/vectors.h"
 
-enum { VECTORS = WIDE / 4 };
-
 static inline lanes load(const real4* a) {
     return lanes_load((const real*)a);
 }

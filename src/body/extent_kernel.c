@@ -2,8 +2,6 @@
 #include "base/lanes.h"
 #include "body/extent.h"
 
-enum { VECTORS = WIDE / 4 }; ///< in a register
-
 /// In two chains.
 static Extent extent(const real4* restrict a, int count) {
     lanes low[2], high[2];

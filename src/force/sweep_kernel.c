@@ -265,8 +265,6 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
     return sum;
 }
 
-enum { VECTORS = WIDE / 4 }; ///< in a register
-
 /// mass: NULL where nothing goes by it.
 static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
                                const real4* restrict gradient, const real* restrict mass,

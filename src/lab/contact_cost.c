@@ -179,14 +179,6 @@ static bool time_peer(int c, int quick, Cost* cost, Fault* fault) {
     return true;
 }
 
-static void add(Figures* figures, int c, int particles, const char* metric, double minimum,
-                double median) {
-    Figure figure = {.particles = particles, .minimum = minimum, .median = median, .unit = "ms"};
-    snprintf(figure.name, sizeof figure.name, "%s", case_table[c].name);
-    snprintf(figure.metric, sizeof figure.metric, "%s", metric);
-    figures_add(figures, &figure);
-}
-
 static bool run(const BenchOptions* options, Fault* fault) {
     const int side = size_table[options->quick].side;
     printf("%d triangles, step %g s; CPU time in ms a step\n", 12 * side * side, step_length);
@@ -214,9 +206,10 @@ static bool run(const BenchOptions* options, Fault* fault) {
     figures_head(options->figures);
     for (int c = 0; c < CASES; c++) {
         const int n = 6 * side * side + 2;
-        add(options->figures, c, n, "contacts", all_ours[c].contacts_min,
-            all_ours[c].contacts_median);
-        add(options->figures, c, n, "Bullet's step", all_peer[c].step_min, all_peer[c].step_median);
+        figures_add(options->figures, case_table[c].name, n, "contacts", "ms",
+                    all_ours[c].contacts_min, all_ours[c].contacts_median, 0);
+        figures_add(options->figures, case_table[c].name, n, "Bullet's step", "ms",
+                    all_peer[c].step_min, all_peer[c].step_median, 0);
     }
     return true;
 }

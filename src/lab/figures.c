@@ -86,17 +86,23 @@ static double kept_minimum(const Figures* figures, const Figure* figure) {
     return 0;
 }
 
-void figures_add(Figures* figures, const Figure* figure) {
-    push(&figures->figure, &figures->count, &figures->room, figure);
-    const double kept = kept_minimum(figures, figure);
-    printf("%-18s %9d  %-16s %12.4g %12.4g %-10s", figure->name, figure->particles, figure->metric,
-           figure->minimum, figure->median, figure->unit);
-    if (figure->limit_share > 0)
-        printf(" %8.1f%%", 100 * figure->limit_share);
+void figures_add(Figures* figures, const char* name, int particles, const char* metric,
+                 const char* unit, double minimum, double median, double limit_share) {
+    Figure one = {
+        .particles = particles, .minimum = minimum, .median = median, .limit_share = limit_share};
+    snprintf(one.name, sizeof one.name, "%s", name);
+    snprintf(one.metric, sizeof one.metric, "%s", metric);
+    snprintf(one.unit, sizeof one.unit, "%s", unit);
+    push(&figures->figure, &figures->count, &figures->room, &one);
+    const double kept = kept_minimum(figures, &one);
+    printf("%-18s %9d  %-16s %12.4g %12.4g %-10s", one.name, one.particles, one.metric, one.minimum,
+           one.median, one.unit);
+    if (one.limit_share > 0)
+        printf(" %8.1f%%", 100 * one.limit_share);
     else
         printf(" %9s", "");
     if (kept > 0)
-        printf(" %9.3f", figure->minimum / kept);
+        printf(" %9.3f", one.minimum / kept);
     printf("\n");
     fflush(stdout);
 }
@@ -104,11 +110,7 @@ void figures_add(Figures* figures, const Figure* figure) {
 void figures_add_samples(Figures* figures, const char* name, int particles, const char* metric,
                          const char* unit, double* sample, int count) {
     const double middle = median(sample, count);
-    Figure figure = {.particles = particles, .minimum = sample[0], .median = middle};
-    snprintf(figure.name, sizeof figure.name, "%s", name);
-    snprintf(figure.metric, sizeof figure.metric, "%s", metric);
-    snprintf(figure.unit, sizeof figure.unit, "%s", unit);
-    figures_add(figures, &figure);
+    figures_add(figures, name, particles, metric, unit, sample[0], middle, 0);
 }
 
 static bool write_csv(const Figures* figures, const char* path, Fault* fault) {

@@ -31,8 +31,9 @@ void figures_open(Figures* figures, const char* bench);
 /// Print the machine and the head of the table.
 void figures_head(const Figures* figures);
 
-/// One more, and its line with the ratio to the kept one.
-void figures_add(Figures* figures, const Figure* figure);
+/// One more, and its line with the ratio to the kept one. minimum, median, limit_share: Figure's.
+void figures_add(Figures* figures, const char* name, int particles, const char* metric,
+                 const char* unit, double minimum, double median, double limit_share);
 
 /// The least and the median of some samples, which it sorts.
 void figures_add_samples(Figures* figures, const char* name, int particles, const char* metric,

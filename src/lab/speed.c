@@ -78,14 +78,7 @@ typedef struct Machine {
 
 static void add(Figures* figures, const char* name, int particles, const char* metric,
                 const char* unit, Times times, double share) {
-    Figure figure = {.particles = particles,
-                     .minimum = times.minimum,
-                     .median = times.median,
-                     .limit_share = share};
-    snprintf(figure.name, sizeof figure.name, "%s", name);
-    snprintf(figure.metric, sizeof figure.metric, "%s", metric);
-    snprintf(figure.unit, sizeof figure.unit, "%s", unit);
-    figures_add(figures, &figure);
+    figures_add(figures, name, particles, metric, unit, times.minimum, times.median, share);
 }
 
 static Times scaled(Times times, double by) {
