@@ -39,10 +39,10 @@ bullet_double = $(addsuffix -float64,$(bullet_float))
 libraries = -lassimp -lcyaml -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -lcholmod \
     -lsuitesparseconfig -lm -ldl -lpthread
 
-SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*.cpp))
+SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*/*.c src/*/*.cpp src/*/*/*.cpp))
 # kernels are compiled for the plainest machine of a kind, and again for a newer one (base/cpu.h)
-KERNELS  := $(if $(filter x86_64,$(shell uname -m)),$(wildcard src/*/*_kernel.c src/force/material_*.c))
-HEADERS  := $(wildcard src/*/*.h)
+KERNELS  := $(if $(filter x86_64,$(shell uname -m)),$(wildcard src/*/*_kernel.c src/*/*/*_kernel.c src/force/material_*.c))
+HEADERS  := $(wildcard src/*/*.h src/*/*/*.h)
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*.c)))
 SCENE   ?=
 
@@ -93,7 +93,7 @@ chart: packages-build packages-run
 	@sed -i -e '/^<!-- chart:/,/^<!-- end of chart/{//!d}' -e '/^<!-- chart:/r out/chart/chart.md' README.md
 
 format: packages-check
-	clang-format -i $(wildcard src/*.c src/*/*.[ch] src/*/*.[ch]pp tests/unit/*.[ch])
+	find src tests/unit -name "*.[ch]" -o -name "*.[ch]pp" | xargs clang-format -i
 
 clean:
 	rm -rf build out

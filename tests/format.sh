@@ -2,6 +2,6 @@
 # Every source is as clang-format 14 has it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-clang-format --dry-run -Werror src/*.c src/*/*.[ch] src/*/*.[ch]pp tests/unit/*.[ch]
+find src tests/unit -name "*.[ch]" -o -name "*.[ch]pp" | sort | xargs clang-format --dry-run -Werror
 cmp src/.clang-format tests/.clang-format
 echo "format: as clang-format has it"

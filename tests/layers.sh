@@ -8,27 +8,35 @@ declare -A may=(
     [mesh]="base mesh"
     [body]="base mesh body"
     [force]="base mesh body force"
-    [solve]="base mesh body force solve"
-    [correct]="base mesh body force correct"
-    [collide]="base mesh body collide"
-    [world]="base mesh body force solve correct collide world"
-    [lab]="base mesh body force solve correct collide world lab"
-    [view]="base mesh body world view"
+    [solve/multigrid]="base mesh force solve/multigrid"
+    [solve]="base mesh body force solve/multigrid solve"
+    [constraint]="base mesh body force constraint"
+    [contact]="base mesh body contact"
+    [scene]="base mesh body force solve contact scene"
+    [world]="base mesh body force solve constraint contact scene world"
+    [lab/run]="base mesh scene world lab/run"
+    [lab/truth]="base mesh body force world lab/truth"
+    [lab/peer]="base mesh body force contact scene world lab/peer"
+    [lab/chart]="base mesh body force solve scene world lab/run lab/truth lab/chart"
+    [lab/stability]="base mesh body force solve scene world lab/run lab/stability"
+    [lab/advice]="base mesh body force solve scene world lab/run lab/advice"
+    [lab/bench]="base mesh body force solve contact scene world lab/run lab/truth lab/peer lab/advice lab/bench"
+    [view]="base mesh body scene world view"
     [draw]="base view draw"
     [hud]="base view hud"
-    [show]="base world lab view draw hud show"
-    [cli]="base mesh body force solve world lab view show cli"
+    [show]="base scene world lab/run lab/truth lab/stability lab/advice lab/bench view draw hud show"
+    [cli]="base mesh body force solve scene world lab/chart lab/stability lab/advice lab/bench lab/peer view show cli"
 )
 # a library's folders, or the one file of a folder that may see it
 declare -A library=(
-    [assimp]="mesh" [cyaml]="world" [yaml.h]="world" [cglm]="view" [EGL]="draw" [GL/]="draw"
+    [assimp]="mesh" [cyaml]="scene" [yaml.h]="scene" [cglm]="view" [EGL]="draw" [GL/]="draw"
     [imgui]="hud" [GLFW]="show" [png.h]="show" [suitesparse]="solve/factor.c"
-    [bt]="collide lab/peer.cpp" [Bullet]="collide lab/peer.cpp"
+    [bt]="contact lab/peer/peer.cpp" [Bullet]="contact lab/peer/peer.cpp"
 )
 
 bad=0
-for file in src/*/*.[ch] src/*/*.[ch]pp; do
-    folder=$(basename "$(dirname "$file")")
+for file in $(find src -mindepth 2 -name '*.[ch]' -o -mindepth 2 -name '*.[ch]pp' -o -mindepth 2 -name '*.inc'); do
+    folder=$(dirname "${file#src/}")
     if [ -z "${may[$folder]:-}" ]; then
         echo "layers: src/$folder is not in the table"; bad=1; continue
     fi
@@ -37,7 +45,7 @@ for file in src/*/*.[ch] src/*/*.[ch]pp; do
             *" $other "*) ;;
             *) echo "layers: $file includes $other/, and $folder may include: ${may[$folder]}"; bad=1 ;;
         esac
-    done < <(sed -nE 's|^#include "([a-z]+)/.*|\1|p' "$file")
+    done < <(sed -nE 's|^#include "([a-z/]+)/[^/]+"|\1|p' "$file")
     for name in "${!library[@]}"; do
         grep -qE "^#include <$name" "$file" || continue
         case " ${library[$name]} " in

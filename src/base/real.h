@@ -9,6 +9,8 @@
 #include <float.h>
 #include <math.h>
 
+#define PI 3.14159265358979323846
+
 #ifdef BALLOON_DOUBLE
 typedef double real;
 #define REAL_NAME "double"

@@ -21,7 +21,7 @@ void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass
         .inverse_mass = new_array(real, count),
     };
 
-    const double angle = place->turn * (3.14159265358979323846 / 180);
+    const double angle = place->turn * (PI / 180);
     const double c = cos(angle), s = sin(angle);
     double4 low = {INFINITY, INFINITY, INFINITY, 0}, high = -low;
     for (int i = 0; i < count; i++) {

@@ -9,7 +9,7 @@
 ///
 /// W is the material's (force/material.h). Thickness is no direction of its own but a number: what
 /// the material makes of it (incompressible rubber: h = h0 A0 / A), or a state that volume
-/// preservation keeps (correct/rubber.h). Bending and transverse shear have no energy. Source: the
+/// preservation keeps (constraint/volume_constraint.h). Bending and transverse shear have no energy. Source: the
 /// thin-shell balloon paper, "Three-prism element", with the 3 x 2 gradient.
 ///
 /// A quad is split along its shorter diagonal. Where the diagonals are alike, it is split along
@@ -22,7 +22,7 @@
 
 typedef struct Material Material;
 
-/// How the rubber's volume is kept (correct/rubber.h).
+/// How the rubber's volume is kept (constraint/volume_constraint.h).
 typedef enum VolumeRule {
     VOLUME_LOCAL,  ///< each element's: h = h0 A0 / A
     VOLUME_GLOBAL, ///< the sum of all, by moving particles and thicknesses; the paper's

@@ -2,7 +2,7 @@
 #ifndef BALLOON_CLI_BENCH_TABLE_H
 #define BALLOON_CLI_BENCH_TABLE_H
 
-#include "lab/bench.h"
+#include "lab/bench/bench.h"
 
 extern const BenchCase* const bench_table[];
 extern const int bench_count;

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "world/place.h"
+#include "base/paths.h"
 
 static const double auto_budget = 8; ///< half a frame, the other half draws [ms]
 
@@ -12,7 +12,7 @@ char** open_arguments;
 
 bool open_other(const char* program, Fault* fault) {
     char path[512];
-    if (!place_sibling(program, path, fault))
+    if (!paths_sibling(program, path, fault))
         return false;
     execv(path, open_arguments);
     return fault_set(fault, path, "cannot be started: %s", strerror(errno));

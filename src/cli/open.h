@@ -3,7 +3,7 @@
 #define BALLOON_CLI_OPEN_H
 
 #include "cli/options.h"
-#include "lab/advise.h"
+#include "lab/advice/advise.h"
 #include "show/ghost.h"
 
 extern char** open_arguments; ///< as main got them, for a hand-over to the other precision

@@ -3,7 +3,7 @@
 #ifndef BALLOON_CLI_OPTIONS_H
 #define BALLOON_CLI_OPTIONS_H
 
-#include "world/scene.h"
+#include "scene/scene.h"
 
 enum { SETS_MOST = 64 };
 

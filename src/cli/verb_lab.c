@@ -4,11 +4,11 @@
 #include "cli/bench_table.h"
 #include "cli/open.h"
 #include "cli/verb.h"
-#include "lab/chart.h"
-#include "lab/needs.h"
-#include "lab/peer_run.h"
-#include "lab/stability.h"
-#include "world/place.h"
+#include "lab/chart/chart.h"
+#include "lab/advice/needs.h"
+#include "lab/peer/peer_run.h"
+#include "lab/stability/stability.h"
+#include "base/paths.h"
 
 static bool read_fit(const char* text, PeerFit* fit, Fault* fault) {
     char rest;
@@ -69,8 +69,8 @@ bool verb_stability(const Options* options, Fault* fault) {
 
 bool verb_chart(const Options* options, Fault* fault) {
     char program[2][512];
-    if (!place_sibling("balloon", program[0], fault) ||
-        !place_sibling("balloon-double", program[1], fault))
+    if (!paths_sibling("balloon", program[0], fault) ||
+        !paths_sibling("balloon-double", program[1], fault))
         return false;
     const ChartOptions chart = {.out = options->out ? options->out : "out",
                                 .only = options->target,

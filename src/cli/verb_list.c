@@ -4,7 +4,7 @@
 #include "cli/bench_table.h"
 #include "cli/verb.h"
 #include "force/force.h"
-#include "lab/chart_case.h"
+#include "lab/chart/chart_case.h"
 #include "mesh/load.h"
 #include "mesh/shape.h"
 #include "solve/method.h"

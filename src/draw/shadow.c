@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/real.h"
 #include "base/memory.h"
 
 // Towards the middle of the key light, over its height: shaders/studio.glsl has the same box.
@@ -135,7 +136,7 @@ static void skin(const Cast* cast, const PictureSkin* shape) {
 // The lower half of a ball, in rings of pieces of equal area.
 static void ball(const Cast* cast, const PictureBall* shape) {
     enum { RINGS = 5, SPOKES = 10 };
-    const float area = 3.14159265f * shape->radius * shape->radius / (RINGS * SPOKES);
+    const float area = (float)PI * shape->radius * shape->radius / (RINGS * SPOKES);
     for (int i = 0; i < RINGS; i++) {
         const float square = ((float)i + 0.5f) / RINGS;
         const float across = shape->radius * sqrtf(square);

@@ -10,7 +10,7 @@
 #include "show/keys.h"
 #include "show/png.h"
 #include "view/framing.h"
-#include "world/place.h"
+#include "base/paths.h"
 
 static const double MESSAGE_SECONDS = 5;
 enum { SCREENSHOTS_MOST = 9999 };
@@ -186,7 +186,7 @@ static const Mode* first_mode(const App* app, Fault* fault) {
 
 static bool open_renderer(App* app, Fault* fault) {
     char shaders[512];
-    if (!place_own("shaders", "frame.glsl", shaders, fault))
+    if (!paths_own("shaders", "frame.glsl", shaders, fault))
         return false;
     *strrchr(shaders, '/') = 0;
     return renderer_open(&app->renderer, app->width, app->height, shaders, fault);

@@ -2,7 +2,7 @@
 #ifndef BALLOON_SHOW_BENCH_FRAME_H
 #define BALLOON_SHOW_BENCH_FRAME_H
 
-#include "lab/bench.h"
+#include "lab/bench/bench.h"
 
 extern const BenchCase bench_frame;
 

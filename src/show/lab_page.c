@@ -53,7 +53,7 @@ enum { ENDS = sizeof end_table / sizeof *end_table };
 /// The axis of pressures ends above the truth's highest. [1]
 static const double above = 1.3;
 
-static void curve_take(const History* history, const Round* round, PageCurve* curve) {
+static void curve_take(const History* history, const Spherical* round, PageCurve* curve) {
     double l = 1, p = 0, most = 1, highest = 0;
     curve->law = round->truth.law->name;
     curve->count = history->count;
@@ -125,7 +125,7 @@ const Page* lab_page_take(LabPage* lab, const World* world, bool watched, int no
 
     if (lab->looked != balloon)
         page->has_curve = world->balloon[balloon].def->inflation &&
-                          round_find(&world->balloon[balloon], &lab->round);
+                          spherical_find(&world->balloon[balloon], &lab->round);
     lab->looked = balloon;
     if (page->has_curve)
         curve_take(&lab->history, &lab->round, &page->curve);

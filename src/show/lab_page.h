@@ -3,20 +3,20 @@
 #ifndef BALLOON_SHOW_LAB_PAGE_H
 #define BALLOON_SHOW_LAB_PAGE_H
 
-#include "lab/map.h"
-#include "lab/round.h"
+#include "lab/stability/map.h"
+#include "lab/truth/spherical.h"
 #include "show/slider.h"
 #include "view/history.h"
 
 typedef struct LabPage {
     Page page;
     History history;
-    double since; ///< when the step that comes now began [ms]
-    double spent; ///< on the steps since the last point [ms]
-    int steps;    ///< since the last point
-    bool timed;   ///< what a step costs is plotted
-    int looked;   ///< balloon that was looked at for a closed form; NONE: none was
-    Round round;  ///< its form, where the page has a curve
+    double since;    ///< when the step that comes now began [ms]
+    double spent;    ///< on the steps since the last point [ms]
+    int steps;       ///< since the last point
+    bool timed;      ///< what a step costs is plotted
+    int looked;      ///< balloon that was looked at for a closed form; NONE: none was
+    Spherical round; ///< its form, where the page has a curve
     Slider slider;
     Map map; ///< of the scene as it was loaded, whatever cell of it is watched
 } LabPage;

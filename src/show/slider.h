@@ -1,10 +1,10 @@
 /// From fast to accurate: the ways of stepping a scene that were measured on this machine
-/// (lab/advise.h) as the notches of a slider, what was expected of the present one, and what it
+/// (lab/advice/advise.h) as the notches of a slider, what was expected of the present one, and what it
 /// turns out to cost and to be off.
 #ifndef BALLOON_SHOW_SLIDER_H
 #define BALLOON_SHOW_SLIDER_H
 
-#include "lab/advise.h"
+#include "lab/advice/advise.h"
 #include "view/page.h"
 
 typedef struct Slider {

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "lab/overrides.h"
+#include "lab/run/overrides.h"
 
 /// "--set guard="off" --set step=0.004 …": what the log needs beside its scene.
 static void say_how(const SceneSet* set, int count, char* how, size_t size) {

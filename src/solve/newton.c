@@ -5,7 +5,7 @@
 ///     A dv = -R,  A = M + h D + h^2 K                   D drag, K = -df/dx, made positive
 ///
 /// K's blocks are assembled (force/tangent.h), what is dense, as the gas's rank-one part, each
-/// force multiplies by itself. A is preconditioned by a cycle through coarser skins (multilevel.h).
+/// force multiplies by itself. A is preconditioned by a cycle through coarser skins (multigrid/multigrid.h).
 /// A step dv that leaves more of R than there was is halved until less is left or the incremental
 /// potential
 ///
@@ -20,7 +20,7 @@
 #include "base/vectors.h"
 #include "force/tangent.h"
 #include "solve/method.h"
-#include "solve/multilevel.h"
+#include "solve/multigrid/multigrid.h"
 
 static const Solver usual = {.iterations = 50, .tolerance = 1e-6, .linear_tolerance = 1e-2};
 
@@ -47,7 +47,7 @@ typedef struct Room {
     real4* image;    ///< [count] A times direction
     real4* ready;    ///< [count] preconditioned remainder
     Tangent tangent; ///< A
-    Multilevel levels;
+    Multigrid levels;
     double
         levels_h; ///< step of the tangent that the coarser skins follow [s]; 0: none that is good
     int age;      ///< tangents since then
@@ -70,7 +70,7 @@ static void* open(Body* body, const Solver* solver) {
         .ready = new_array(real4, n),
     };
     tangent_open(&room->tangent, body);
-    multilevel_open(&room->levels, &room->tangent.matrix, body->inverse_mass);
+    multigrid_open(&room->levels, &room->tangent.matrix, body->inverse_mass);
     if (room->solver.iterations == 0)
         room->solver.iterations = usual.iterations;
     if (room->solver.tolerance == 0)
@@ -93,7 +93,7 @@ static void close(void* self) {
     free(room->image);
     free(room->ready);
     tangent_close(&room->tangent);
-    multilevel_close(&room->levels);
+    multigrid_close(&room->levels);
     free(room);
 }
 
@@ -164,7 +164,7 @@ static double ready(Body* body, Room* room, double h, bool project) {
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i]));
     }
     const bool all = project || room->levels_h != h;
-    multilevel_ready(&room->levels, body->x, all);
+    multigrid_ready(&room->levels, body->x, all);
     if (all)
         room->fresh = room->age = 0;
     room->age++;
@@ -181,14 +181,14 @@ static void keep_held(const Body* body, const Room* room, real4* a) {
 
 /// out = A d
 static void multiply(const Body* body, const Room* room, const real4* d, double h, real4* out) {
-    multilevel_multiply(&room->levels, d, out);
+    multigrid_multiply(&room->levels, d, out);
     tangent_add_dense(body, h * h, d, out);
     keep_held(body, room, out);
 }
 
 /// ready = preconditioner times left; returns left . ready.
 static double precondition(const Body* body, Room* room) {
-    const double along = multilevel_apply(&room->levels, room->left, room->ready);
+    const double along = multigrid_apply(&room->levels, room->left, room->ready);
     keep_held(body, room, room->ready); // left is zero there
     return along;
 }

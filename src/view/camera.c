@@ -5,8 +5,10 @@
 
 #include <cglm/cglm.h>
 
+#include "base/real.h"
+
 // One turn of the wrist: a drag over the height of the window turns the scene by half a circle.
-static const float RADIANS_PER_HEIGHT = 3.14159265f;
+static const float RADIANS_PER_HEIGHT = (float)PI;
 // Short of straight up and down, where "up" would lose its meaning.
 static const float PITCH_LIMIT = 1.5f;
 static const float ZOOM_PER_STEP = 0.9f;

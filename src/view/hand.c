@@ -62,7 +62,7 @@ Hand hand_default(const World* world, const Camera* camera) {
 
     // a fall of g/2 (way/speed)^2 = FALL_SHARE size
     const double way = (double)camera->distance;
-    const double fall = way * sqrt(world->collide.gravity / (2 * FALL_SHARE * size));
+    const double fall = way * sqrt(world->contacts.gravity / (2 * FALL_SHARE * size));
     return (Hand){
         .mass = nearest(MASSES, MASS_COUNT, mass),
         .radius = nearest(RADII, RADIUS_COUNT, RADIUS_SHARE * size),
@@ -128,8 +128,8 @@ static double entry(const Sight* sight, const Body* body, double radius) {
 }
 
 static bool is_free(const World* world, double4 center, double radius) {
-    for (int s = 0; s < world->collide.sphere_count; s++) {
-        const Sphere* other = &world->collide.sphere[s];
+    for (int s = 0; s < world->contacts.sphere_count; s++) {
+        const Sphere* other = &world->contacts.sphere[s];
         if (dlength(to_double4(other->x) - center) < radius + (double)other->radius)
             return false;
     }
@@ -139,8 +139,8 @@ static bool is_free(const World* world, double4 center, double radius) {
 bool hand_throw(const Hand* hand, const World* world, const Camera* camera, float aspect,
                 const float pointer[2], double thrown[THROW_NUMBERS]) {
     Sight sight = sight_through(camera, aspect, pointer);
-    for (int k = 0; k < world->collide.plane_count; k++)
-        keep_before(&sight, &world->collide.plane[k], hand->radius);
+    for (int k = 0; k < world->contacts.plane_count; k++)
+        keep_before(&sight, &world->contacts.plane[k], hand->radius);
     if (sight.from > sight.to)
         return false;
 

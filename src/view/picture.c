@@ -49,7 +49,7 @@ void picture_open(Picture* picture, const World* world) {
         picture->ball_own += most_of(balloon, true) + ROPE_KNOTS * strings;
     }
     picture->line = new_array(PictureLine, picture->line_room);
-    make_room(picture, world->collide.sphere_count);
+    make_room(picture, world->contacts.sphere_count);
 }
 
 void picture_ghost(Picture* picture, const World* ghost) {
@@ -104,7 +104,7 @@ void picture_take(Picture* picture, const World* world, const Camera* camera, co
     picture->camera = *camera;
     picture->line_count = picture->ball_count = 0;
     picture->changed = picture->stamp == 0; // nothing was taken yet
-    make_room(picture, world->collide.sphere_count);
+    make_room(picture, world->contacts.sphere_count);
 
     for (int b = 0; b < world->balloon_count; b++) {
         PictureSkin* skin = &picture->skin[b];

@@ -16,8 +16,8 @@ enum { COLORS = sizeof PALETTE / sizeof *PALETTE };
 static const float NEAR = 2;
 
 void spheres_take(Picture* picture, const World* world) {
-    for (int s = 0; s < world->collide.sphere_count; s++) {
-        const Sphere* sphere = &world->collide.sphere[s];
+    for (int s = 0; s < world->contacts.sphere_count; s++) {
+        const Sphere* sphere = &world->contacts.sphere[s];
         const float center[3] = {(float)sphere->x[0], (float)sphere->x[1], (float)sphere->x[2]};
         float color[3];
         color_linear(PALETTE[s % COLORS], color);
@@ -32,8 +32,8 @@ void spheres_widen(const World* world, float low[3], float high[3]) {
         middle[k] = (double)low[k] + half[k];
     }
     const double reach = (double)NEAR * dlength(half);
-    for (int s = 0; s < world->collide.sphere_count; s++) {
-        const Sphere* sphere = &world->collide.sphere[s];
+    for (int s = 0; s < world->contacts.sphere_count; s++) {
+        const Sphere* sphere = &world->contacts.sphere[s];
         if (!(dlength(to_double4(sphere->x) - middle) <= reach))
             continue;
         for (int k = 0; k < 3; k++) {

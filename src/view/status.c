@@ -81,20 +81,20 @@ static void balloon_rows(Panel* panel, const World* world) {
 
 /// Balls, and what they are never to do: pass through a skin.
 static void ball_rows(Panel* panel, const World* world, const Hand* hand) {
-    const Collide* collide = &world->collide;
-    if (collide->sphere_count == 0 && collide->pass_throughs == 0)
+    const Contacts* contacts = &world->contacts;
+    if (contacts->sphere_count == 0 && contacts->pass_throughs == 0)
         return;
-    panel_row(panel, "balls", "%d", collide->sphere_count);
+    panel_row(panel, "balls", "%d", contacts->sphere_count);
     if (hand)
         panel_row(panel, "next ball", "mass %g, radius %g, speed %g", hand->mass, hand->radius,
                   hand->speed);
-    panel_row(panel, "pass-throughs", "%ld", collide->pass_throughs);
+    panel_row(panel, "pass-throughs", "%ld", contacts->pass_throughs);
 }
 
 /// The sentence at the lower rim: the state that went bad, else what the user is told just now,
 /// else what must not be.
 static void message(Panel* panel, const World* world, const char* told) {
-    const long count = world->collide.pass_throughs;
+    const long count = world->contacts.pass_throughs;
     panel->alarm = world->blowup.halted || (!told[0] && count > 0);
     char text[sizeof panel->message] = "";
     if (panel->alarm && !world->blowup.halted)

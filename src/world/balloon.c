@@ -165,7 +165,7 @@ static void take_membrane(Body* body, const MembraneDef* def) {
 
 static void take_correction(Balloon* balloon) {
     const CorrectionDef* def = balloon->def->correction;
-    Correct* correct = &balloon->correct;
+    StrainLimit* correct = &balloon->correct;
     if (def) {
         correct->threshold[STRUCTURAL] = def->structural;
         correct->threshold[SHEAR] = def->shear;
@@ -176,7 +176,7 @@ static void take_correction(Balloon* balloon) {
         for (int kind = 0; kind < SPRING_KINDS; kind++)
             correct->threshold[kind] = given_threshold;
     }
-    correct_switch(correct, &balloon->body, def != NULL);
+    strain_limit_switch(correct, &balloon->body, def != NULL);
 }
 
 /// Everything of a balloon but its mesh, from its def.
@@ -205,7 +205,7 @@ static void make(Balloon* balloon, const WorldDef* world) {
         body->damping = (Damping){def->damping->coefficient, def->damping->rate};
     take_strings(balloon, world);
     take_correction(balloon);
-    preserve_open(&balloon->preserve, body);
+    volume_constraint_open(&balloon->preserve, body);
     if (balloon->method->open) {
         const SolverDef* solver = &world->solver;
         balloon->room = balloon->method->open(
@@ -266,8 +266,8 @@ static void unmake(Balloon* balloon) {
     if (balloon->method->close)
         balloon->method->close(balloon->room);
     balloon->room = NULL;
-    preserve_close(&balloon->preserve);
-    correct_free(&balloon->correct);
+    volume_constraint_close(&balloon->preserve);
+    strain_limit_free(&balloon->correct);
     body_free(&balloon->body);
 }
 

@@ -3,17 +3,17 @@
 #define BALLOON_WORLD_BALLOON_H
 
 #include "body/body.h"
-#include "correct/correct.h"
-#include "correct/preserve.h"
+#include "constraint/strain_limit.h"
+#include "constraint/volume_constraint.h"
 #include "solve/method.h"
-#include "world/scene.h"
+#include "scene/scene.h"
 
 typedef struct Balloon {
     const BalloonDef* def;
     Mesh mesh;
     Body body;
-    Correct correct;
-    Preserve preserve;
+    StrainLimit correct;
+    VolumeConstraint preserve;
     const Method* method;
     void* room;           ///< the method's, for this body
     Effort effort;        ///< of the last kick

@@ -34,7 +34,7 @@ static void select_next(World* world) {
 static void correction(World* world) {
     for (int b = first(world); b < last(world); b++) {
         Balloon* balloon = &world->balloon[b];
-        correct_switch(&balloon->correct, &balloon->body, !balloon->correct.on);
+        strain_limit_switch(&balloon->correct, &balloon->body, !balloon->correct.on);
     }
 }
 
@@ -42,7 +42,7 @@ static void tarantino(World* world) {
     for (int b = first(world); b < last(world); b++) {
         Balloon* balloon = &world->balloon[b];
         balloon->correct.tarantino = !balloon->correct.tarantino;
-        correct_switch(&balloon->correct, &balloon->body, true);
+        strain_limit_switch(&balloon->correct, &balloon->body, true);
     }
 }
 
@@ -54,7 +54,7 @@ static void string(World* world) {
 }
 
 static void clear(World* world) {
-    collide_clear(&world->collide);
+    contacts_clear(&world->contacts);
 }
 
 // clang-format off
@@ -133,7 +133,7 @@ typedef struct WorldSetting {
 static void set_gravity(World* world, double value) {
     for (int b = 0; b < world->balloon_count; b++)
         world->balloon[b].body.gravity = value;
-    world->collide.gravity = value;
+    world->contacts.gravity = value;
 }
 
 static const WorldSetting world_setting_table[] = {
@@ -184,7 +184,7 @@ static bool throw(World * world, const Event* event, Fault* fault) {
     if (!(n[6] > 0 && n[7] > 0))
         return fault_set(fault, "throw", "a ball has a mass and a radius above 0");
     const Sphere sphere = sphere_of(n, n + 3, n[7], n[6], thrown_restitution, thrown_friction);
-    collide_add(&world->collide, &sphere);
+    contacts_add(&world->contacts, &sphere);
     return true;
 }
 

@@ -1,4 +1,4 @@
-/// Whether a scene fails as it says (FailsDef of world/scene.h).
+/// Whether a scene fails as it says (FailsDef of scene/scene.h).
 #ifndef BALLOON_WORLD_FAILS_H
 #define BALLOON_WORLD_FAILS_H
 

@@ -13,8 +13,6 @@ static const double reach = 10;
 /// Of its first volume: below it a gas has no room. [1]
 static const double least_room = 1e-6;
 
-const char* const guard_name[GUARD_COUNT] = {"split", "stop", "off"};
-
 static void halt(World* world, int balloon, int particle) {
     world->blowup.halted = true;
     world->blowup.balloon = balloon;
@@ -87,7 +85,7 @@ void guard_keep(World* world) {
             memcpy(balloon->good_thickness, balloon->body.membrane.thickness,
                    (size_t)balloon->body.membrane.count * sizeof(real));
     }
-    collide_keep(&world->collide);
+    contacts_keep(&world->contacts);
     world->good_step = world->step_count;
 }
 
@@ -101,7 +99,7 @@ static void put_back(World* world) {
             memcpy(balloon->body.membrane.thickness, balloon->good_thickness,
                    (size_t)balloon->body.membrane.count * sizeof(real));
     }
-    collide_put_back(&world->collide);
+    contacts_put_back(&world->contacts);
     rest_wake_all(world);
 }
 
@@ -201,7 +199,7 @@ void guard_check(World* world) {
         put_back(world);
         return;
     }
-    const int ball = collide_bad(&world->collide);
+    const int ball = contacts_bad(&world->contacts);
     if (ball != NONE) {
         halt(world, NONE, NONE);
         snprintf(

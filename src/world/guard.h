@@ -14,9 +14,6 @@
 #ifndef BALLOON_WORLD_GUARD_H
 #define BALLOON_WORLD_GUARD_H
 
-typedef enum Guard { GUARD_SPLIT, GUARD_STOP, GUARD_OFF, GUARD_COUNT } Guard;
-extern const char* const guard_name[GUARD_COUNT];
-
 enum {
     GUARD_INTERVAL = 16,  ///< [steps] between two looks at the bound
     SUBSTEPS_MOST = 10000 ///< more than this is a scene that asks for the wrong thing

@@ -207,16 +207,16 @@ enum { SPHERE_PARTS = sizeof sphere_parts / sizeof *sphere_parts };
 
 /// A ball that was taken away is nowhere.
 static double part_of(const Measure* measure) {
-    const Collide* collide = &measure->world->collide;
-    if (measure->number >= collide->sphere_count)
+    const Contacts* contacts = &measure->world->contacts;
+    if (measure->number >= contacts->sphere_count)
         return (double)NAN;
-    const Sphere* sphere = &collide->sphere[measure->number];
+    const Sphere* sphere = &contacts->sphere[measure->number];
     const real4 vector = measure->part < 3 ? sphere->x : sphere->v;
     return (double)vector[measure->part % 3];
 }
 
 static double pass_throughs_of(const Measure* measure) {
-    return (double)measure->world->collide.pass_throughs;
+    return (double)measure->world->contacts.pass_throughs;
 }
 
 /// Called for each column of the world in order; the walk ends when it returns true.
@@ -300,7 +300,7 @@ static bool take(void* self, const char* name, const Measure* measure) {
 }
 
 bool probe_value(const World* world, const char* column, double* value) {
-    const int scene = (int)world->def.spheres_count, now = world->collide.sphere_count;
+    const int scene = (int)world->def.spheres_count, now = world->contacts.sphere_count;
     return walk(world, now > scene ? now : scene, take, &(Wanted){column, value});
 }
 

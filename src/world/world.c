@@ -35,8 +35,8 @@ static void open_collide(World* world) {
         body[b] = &world->balloon[b].body;
         before[b] = world->balloon[b].last_v;
     }
-    collide_open(&world->collide, def->contact, scene_gravity(def), plane, planes, body, before,
-                 world->balloon_count);
+    contacts_open(&world->contacts, def->contact, scene_gravity(def), plane, planes, body, before,
+                  world->balloon_count);
     free(plane);
     free(body);
     free(before);
@@ -47,7 +47,7 @@ static void open_collide(World* world) {
         const Sphere sphere =
             sphere_of(ball->position, ball->velocity ? ball->velocity : none, ball->radius,
                       ball->mass, ball->restitution, ball->friction);
-        collide_add(&world->collide, &sphere);
+        contacts_add(&world->contacts, &sphere);
     }
 }
 
@@ -83,7 +83,7 @@ bool world_open(World* world, WorldDef* def, Fault* fault) {
 }
 
 void world_reset(World* world) {
-    collide_close(&world->collide);
+    contacts_close(&world->contacts);
     for (int b = 0; b < world->balloon_count; b++)
         balloon_reset(&world->balloon[b], &world->def);
     begin(world);
@@ -147,7 +147,7 @@ static void kick_balloon(void* self, int b) {
     if (balloon->body.asleep)
         return;
     // velocities before: for what cannot be solved, and for contacts
-    if (world->method->can_fail || world->collide.sphere_count > 0)
+    if (world->method->can_fail || world->contacts.sphere_count > 0)
         memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
     balloon->solved = world->method->kick(&balloon->body, balloon->room, pass->h, &balloon->effort);
 }
@@ -181,7 +181,7 @@ static void correct_balloon(void* self, int b) {
     const Pass* pass = self;
     Balloon* balloon = &pass->world->balloon[b];
     if (!balloon->body.asleep)
-        correct_velocity(&balloon->correct, &balloon->body, pass->h);
+        strain_limit_velocity(&balloon->correct, &balloon->body, pass->h);
 }
 
 static void drift_balloon(void* self, int b) {
@@ -190,7 +190,7 @@ static void drift_balloon(void* self, int b) {
     if (balloon->body.asleep)
         return;
     pass->world->method->drift(&balloon->body, pass->h);
-    preserve_volume(&balloon->preserve, &balloon->body, pass->h);
+    volume_constraint_volume(&balloon->preserve, &balloon->body, pass->h);
 }
 
 /// As long as h, in one part, or in several where balls are near or a method cannot solve the
@@ -198,7 +198,7 @@ static void drift_balloon(void* self, int b) {
 static void advance(World* world, double h) {
     const double whole = h, shortest = h / SPLITS_MOST;
     for (int parts = 0; h > whole * rounding && parts < PARTS_MOST; parts++) {
-        double pace = collide_pace(&world->collide, fmin(h, world->solvable * whole));
+        double pace = contacts_pace(&world->contacts, fmin(h, world->solvable * whole));
         for (int bad; (bad = kick(world, pace)) != NONE; pace /= 2) {
             if (pace < shortest) {
                 guard_unsolved(world, bad, pace);
@@ -207,10 +207,10 @@ static void advance(World* world, double h) {
             world->solvable = pace / 2 / whole;
         }
         for_each(world, correct_balloon, pace);
-        const double drift = collide_velocities(&world->collide, pace);
-        collide_drift(&world->collide, drift);
+        const double drift = contacts_velocities(&world->contacts, pace);
+        contacts_drift(&world->contacts, drift);
         for_each(world, drift_balloon, drift);
-        collide_penalty(&world->collide, drift);
+        contacts_penalty(&world->contacts, drift);
         world->drift = drift;
         h -= drift;
     }
@@ -259,8 +259,8 @@ uint64_t world_hash(const World* world) {
         if (world->def.rest > 0)
             hash = hash_bytes(hash, &body->still, sizeof body->still);
     }
-    for (int s = 0; s < world->collide.sphere_count; s++) {
-        const Sphere* sphere = &world->collide.sphere[s];
+    for (int s = 0; s < world->contacts.sphere_count; s++) {
+        const Sphere* sphere = &world->contacts.sphere[s];
         hash = hash_bytes(hash, &sphere->x, 3 * sizeof(real));
         hash = hash_bytes(hash, &sphere->v, 3 * sizeof(real));
         hash = hash_bytes(hash, &sphere->spin, 3 * sizeof(real));
@@ -269,7 +269,7 @@ uint64_t world_hash(const World* world) {
 }
 
 void world_close(World* world) {
-    collide_close(&world->collide);
+    contacts_close(&world->contacts);
     for (int b = 0; b < world->balloon_count; b++)
         balloon_close(&world->balloon[b]);
     free(world->balloon);

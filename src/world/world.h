@@ -7,11 +7,11 @@
 
 #include <stdint.h>
 
-#include "collide/collide.h"
+#include "contact/contacts.h"
 #include "solve/method.h"
 #include "world/balloon.h"
 #include "world/record.h"
-#include "world/scene.h"
+#include "scene/scene.h"
 
 enum { ALL_BALLOONS = -1 }; ///< no balloon is selected: keys act on all
 
@@ -24,26 +24,26 @@ typedef struct Blowup {
     char text[400]; ///< the whole sentence, with the bound that was crossed
 } Blowup;
 
-struct World {
+typedef struct World {
     WorldDef def;
     const Method* method;
     Balloon* balloon; ///< [balloon_count]
     int balloon_count;
-    Collide collide; ///< balls, floor, walls
-    double step;     ///< h [s]
-    long step_count; ///< steps since the start or the last reset
-    long clock;      ///< calls of world_step since world_open, which a reset does not turn back
-    long good_step;  ///< the step of the last good state
-    int selected;    ///< balloon that keys act on, or ALL_BALLOONS
-    unsigned held;   ///< commands whose key is down, bit k for row k of command_table
-    double bound;    ///< largest stable step of the state last looked at [s]
-    int substeps;    ///< equal parts in which the guard has each step made
-    double drift;    ///< length of the last drift, shorter where balls are near [s]
-    double solvable; ///< part of a step that the method last could solve [1]
-    bool look;       ///< look at the bound before the next step
+    Contacts contacts; ///< balls, floor, walls
+    double step;       ///< h [s]
+    long step_count;   ///< steps since the start or the last reset
+    long clock;        ///< calls of world_step since world_open, which a reset does not turn back
+    long good_step;    ///< the step of the last good state
+    int selected;      ///< balloon that keys act on, or ALL_BALLOONS
+    unsigned held;     ///< commands whose key is down, bit k for row k of command_table
+    double bound;      ///< largest stable step of the state last looked at [s]
+    int substeps;      ///< equal parts in which the guard has each step made
+    double drift;      ///< length of the last drift, shorter where balls are near [s]
+    double solvable;   ///< part of a step that the method last could solve [1]
+    bool look;         ///< look at the bound before the next step
     Blowup blowup;
     char notice[256]; ///< what the guard did last, to be said once; empty: nothing
-};
+} World;
 
 /// Make the world of a def, which the world then owns (it is freed with the world, and also when
 /// this fails). Bad models and refused pairs are faults.

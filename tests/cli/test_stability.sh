@@ -18,7 +18,7 @@ done
 ok "a panel without cells says why" grep -q "m eq 'xpbd' ? \"takes skins of springs, no membrane\"" \
     "$scratch/o/map-limit-rubber.gp"
 
-# near its limit a stable mode of an undamped body beats by more than ten times (lab/trial.c)
+# near its limit a stable mode of an undamped body beats by more than ten times (lab/stability/trial.c)
 sides() {
     awk -F, -v cells="$1" 'FNR == 1 { next }
         FILENAME ~ /map-limit/ { theory[$1 $2 $3] = $4; next }

@@ -29,7 +29,7 @@ static Pixels pixels, others;
 // A sphere of rings from pole to pole, wound counter-clockwise from outside.
 static inline void blow_up(float radius, float height) {
     for (int i = 0; i < POINTS; i++) {
-        const float down = 3.14159265f * (float)(i / SPOKES) / RINGS;
+        const float down = (float)PI * (float)(i / SPOKES) / RINGS;
         const float round = 6.2831853f * (float)(i % SPOKES) / SPOKES;
         const float n[3] = {sinf(down) * sinf(round), cosf(down), sinf(down) * cosf(round)};
         for (int k = 0; k < 3; k++) {

@@ -18,8 +18,8 @@
 #include <unistd.h>
 
 #include "mesh/shape.h"
-#include "world/scene.h"
-#include "world/scene_range.h"
+#include "scene/scene.h"
+#include "scene/scene_range.h"
 
 enum { SET_MOST = 4, MUTATIONS = 1000 };
 

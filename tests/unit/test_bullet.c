@@ -1,6 +1,6 @@
 /// Balls, floor and walls meet as they should, in a Bullet that remembers nothing.
 #include "bodies.h"
-#include "collide/bullet.h"
+#include "contact/bullet.h"
 
 enum { MOST = 40 };
 static const double gravity = 9.81;

@@ -1,6 +1,6 @@
 /// No triangle near a ball is missed, measured against brute force in double.
 #include "bodies.h"
-#include "collide/bullet.h"
+#include "contact/bullet.h"
 
 static double to_segment(double4 p, double4 a, double4 b) {
     const double4 ab = b - a;

@@ -1,6 +1,6 @@
 /// What the charts are to hold, before anything is run.
 #include "law.h"
-#include "lab/chart.h"
+#include "lab/chart/chart.h"
 
 static ChartPlan plan_of(ChartExtent extent) {
     ChartPlan plan;

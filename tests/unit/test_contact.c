@@ -1,8 +1,8 @@
 /// Contacts: impulses, what they keep, what they never do; paths through triangles.
 #include "bodies.h"
-#include "collide/contact.h"
-#include "collide/cross.h"
-#include "collide/sweep.h"
+#include "contact/contact.h"
+#include "contact/cross.h"
+#include "contact/sweep.h"
 
 static const Sphere ball = {.radius = 0.3, .mass = 0.02, .restitution = 0.5, .friction = 0.4};
 

@@ -1,6 +1,6 @@
 /// Provot's and Tarantino's corrections.
 #include "bodies.h"
-#include "correct/correct.h"
+#include "constraint/strain_limit.h"
 #include "force/force.h"
 #include "solve/method.h"
 
@@ -10,17 +10,17 @@ static double length_of(const Body* body, int s) {
 }
 
 /// The velocities bring the particles where they would go, corrected.
-static void go(Correct* correct, Body* body, double h) {
-    correct_velocity(correct, body, h);
+static void go(StrainLimit* correct, Body* body, double h) {
+    strain_limit_velocity(correct, body, h);
     body_drift(body, h);
 }
 
 static void long_spring_comes_back_to_its_limit(void** state) {
     (void)state;
     Body body;
-    Correct correct = {.threshold = {0.1, 0, 0}};
+    StrainLimit correct = {.threshold = {0.1, 0, 0}};
     chain_of(&body, (double[]){0, 1}, 2, 1, 10);
-    correct_switch(&correct, &body, true);
+    strain_limit_switch(&correct, &body, true);
     body.v[1][0] = 1;
     go(&correct, &body, 0.5); // would be at 1.5
 
@@ -31,37 +31,37 @@ static void long_spring_comes_back_to_its_limit(void** state) {
     assert_near((double)body.v[0][0], 0.2 / 0.5, rounding);
     assert_near((double)body.v[1][0], 0.3 / 0.5, rounding);
     assert_int_equal(correct.corrected, 1);
-    correct_free(&correct);
+    strain_limit_free(&correct);
     body_free(&body);
 }
 
 static void held_end_stays_and_free_end_takes_all(void** state) {
     (void)state;
     Body body;
-    Correct correct = {.threshold = {0.1, 0, 0}};
+    StrainLimit correct = {.threshold = {0.1, 0, 0}};
     chain_of(&body, (double[]){0, 1}, 2, 1, 10);
     body.inverse_mass[0] = 0;
-    correct_switch(&correct, &body, true);
+    strain_limit_switch(&correct, &body, true);
     body.v[1][0] = 2;
     go(&correct, &body, 1);
     assert_near((double)body.x[0][0], 0, 0);
     assert_near((double)body.x[1][0], 1.1, TOLERANCE(1e-6, 1e-15));
-    correct_free(&correct);
+    strain_limit_free(&correct);
     body_free(&body);
 }
 
 static void short_enough_springs_are_left_alone(void** state) {
     (void)state;
     Body body;
-    Correct correct = {.threshold = {0.1, 0, 0}};
+    StrainLimit correct = {.threshold = {0.1, 0, 0}};
     chain_of(&body, (double[]){0, 1, 2}, 3, 1, 10);
-    correct_switch(&correct, &body, true);
+    strain_limit_switch(&correct, &body, true);
     body.v[2][0] = (real)0.0625;
     go(&correct, &body, 1);
     assert_near((double)body.x[2][0], 2.0625, 0);
     assert_near((double)body.v[2][0], 0.0625, 0);
     assert_int_equal(correct.corrected, 0);
-    correct_free(&correct);
+    strain_limit_free(&correct);
     body_free(&body);
 }
 
@@ -70,11 +70,11 @@ static void pull_keeps_the_centre_of_mass(void** state) {
     (void)state;
     Mesh mesh;
     Body body;
-    Correct correct = {.threshold = {0.1, 0.1, 0.1}};
+    StrainLimit correct = {.threshold = {0.1, 0.1, 0.1}};
     mesh_of("cube-sphere:5", &mesh);
     body_of(&mesh, &body);
     body_add_springs(&body, paper_springs, LAW_HOOKE);
-    correct_switch(&correct, &body, true);
+    strain_limit_switch(&correct, &body, true);
     shake(&body, 0.2);
     double4 before = {0}, after = {0};
     for (int i = 0; i < body.count; i++)
@@ -84,7 +84,7 @@ static void pull_keeps_the_centre_of_mass(void** state) {
         after += to_double4(body.x[i]);
     assert_true(correct.corrected > 10);
     assert_near(dlength(after - before), 0, TOLERANCE(1e-4, 1e-13));
-    correct_free(&correct);
+    strain_limit_free(&correct);
     body_free(&body);
     mesh_free(&mesh);
 }
@@ -92,9 +92,9 @@ static void pull_keeps_the_centre_of_mass(void** state) {
 static void tarantino_rests_a_corrected_spring_for_one_step(void** state) {
     (void)state;
     Body body;
-    Correct correct = {.threshold = {0.1, 0, 0}, .tarantino = true};
+    StrainLimit correct = {.threshold = {0.1, 0, 0}, .tarantino = true};
     chain_of(&body, (double[]){0, 1, 2}, 3, 1, 10);
-    correct_switch(&correct, &body, true);
+    strain_limit_switch(&correct, &body, true);
     body.v[2][0] = 1;
     go(&correct, &body, 1);
     assert_near((double)body.springs.active[0], 10, 0);
@@ -110,9 +110,9 @@ static void tarantino_rests_a_corrected_spring_for_one_step(void** state) {
     body.v[2][0] = 1;
     go(&correct, &body, 1);
     assert_near((double)body.springs.active[1], 0, 0);
-    correct_switch(&correct, &body, false);
+    strain_limit_switch(&correct, &body, false);
     assert_near((double)body.springs.active[1], 10, 0);
-    correct_free(&correct);
+    strain_limit_free(&correct);
     body_free(&body);
 }
 
@@ -120,22 +120,22 @@ static void tarantino_rests_a_corrected_spring_for_one_step(void** state) {
 static double blown_stretch(bool on) {
     Mesh mesh;
     Body body;
-    Correct correct = {.threshold = {0.1, 0.1, 0.1}};
+    StrainLimit correct = {.threshold = {0.1, 0.1, 0.1}};
     mesh_of("cube-sphere:6", &mesh);
     body_of(&mesh, &body);
     body_add_springs(&body, paper_springs, LAW_HOOKE);
     body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 20});
     body.damping.coefficient = 0.05;
-    correct_switch(&correct, &body, on);
+    strain_limit_switch(&correct, &body, on);
     for (int n = 0; n < 3000; n++) {
         method_euler.kick(&body, NULL, 1e-3, &(Effort){0});
-        correct_velocity(&correct, &body, 1e-3);
+        strain_limit_velocity(&correct, &body, 1e-3);
         body_drift(&body, 1e-3);
     }
     double mean = 0;
     for (int s = 0; s < body.springs.from[SHEAR]; s++)
         mean += length_of(&body, s) / (double)body.springs.rest[s] / body.springs.from[SHEAR];
-    correct_free(&correct);
+    strain_limit_free(&correct);
     body_free(&body);
     mesh_free(&mesh);
     return mean;

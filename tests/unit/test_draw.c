@@ -39,7 +39,7 @@ static void a_balloon_covers_what_its_radius_says(void** state) {
         draw(pixels);
         const double pixel = 2 * tan(0.3) / HEIGHT, slope = tan(asin(radius / 9));
         // its shine and its rim, which the studio shows through, are not red
-        assert_close(red_pixels(), 3.14159265 * pow(slope / pixel, 2), 0.15);
+        assert_close(red_pixels(), PI * pow(slope / pixel, 2), 0.15);
     }
 }
 

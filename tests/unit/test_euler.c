@@ -98,8 +98,7 @@ static void undamped_spring_keeps_its_invariant(void** state) {
         }
         before = u;
     }
-    const double pi = 3.14159265358979323846;
-    const double frequency = 2 * pi * (turns - 1) / (last - first);
+    const double frequency = 2 * PI * (turns - 1) / (last - first);
     assert_close(frequency, 2 / h * asin(sqrt(w2) * h / 2), TOLERANCE(1e-4, 2e-5));
     body_free(&body);
 }

@@ -8,7 +8,7 @@
 static void chain_has_its_frequencies(void** state) {
     (void)state;
     enum { FREE = 9 };
-    const double mass = 1e-3, stiffness = 50, pi = 3.14159265358979323846;
+    const double mass = 1e-3, stiffness = 50;
     double place[FREE + 2];
     for (int i = 0; i < FREE + 2; i++)
         place[i] = i;
@@ -16,11 +16,11 @@ static void chain_has_its_frequencies(void** state) {
         Body body;
         chain_of(&body, place, FREE + 2, mass, stiffness);
         for (int i = 1; i <= FREE; i++)
-            body.x[i][0] += (real)(0.01 * sin(i * j * pi / (FREE + 1)));
+            body.x[i][0] += (real)(0.01 * sin(i * j * PI / (FREE + 1)));
         force_sum(&body);
-        const double w = 2 * sqrt(stiffness / mass) * sin(j * pi / (2 * (FREE + 1)));
+        const double w = 2 * sqrt(stiffness / mass) * sin(j * PI / (2 * (FREE + 1)));
         for (int i = 1; i <= FREE; i++) {
-            const double u = 0.01 * sin(i * j * pi / (FREE + 1));
+            const double u = 0.01 * sin(i * j * PI / (FREE + 1));
             // float: places up to 10 round to 5e-7, times a stiffness of 4 * 50
             assert_near((double)body.f[i][0], -mass * w * w * u, TOLERANCE(4e-4, 1e-12));
         }

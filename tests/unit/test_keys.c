@@ -279,7 +279,7 @@ static void a_throw_is_logged_and_replayed_to_the_same_bits(void** state) {
     assert_true(session_throw(&session, thrown, &fault));
     step(&session, 60);
     session_close(&session);
-    assert_int_equal(thrower.world.collide.sphere_count, 2);
+    assert_int_equal(thrower.world.contacts.sphere_count, 2);
     const uint64_t want = world_hash(&thrower.world);
     world_close(&thrower.world);
 

@@ -2,7 +2,7 @@
 /// measured, and a cell's scene is the scene with its step and stiffness.
 #include "worlds.h"
 
-#include "lab/map.h"
+#include "lab/stability/map.h"
 
 static int measure(Map* map) {
     int parts = 0;
@@ -26,7 +26,7 @@ static void cells_are_stable_below_the_limit_and_not_above(void** state) {
             assert_true(map.bound[r] > 0 && map.bound[r] <= map.theory[r]);
             for (int c = 0; c < MAP_COLUMNS; c++) {
                 const double h = map_step(&map, c);
-                // near its limit a stable mode of an undamped body beats (lab/trial.c)
+                // near its limit a stable mode of an undamped body beats (lab/stability/trial.c)
                 const bool inside = h<0.9 * map.theory[r], outside = h> 1.02 * map.theory[r];
                 if ((inside && map.cell[r][c] != VERDICT_STABLE) ||
                     (outside && map.cell[r][c] == VERDICT_STABLE) || map.cell[r][c] == MAP_UNKNOWN)

@@ -116,10 +116,9 @@ static void check_order_two(const char* coarse, const char* fine, double area, d
 
 static void round_shapes_converge_at_order_two(void** state) {
     (void)state;
-    const double pi = acos(-1);
-    check_order_two("cube-sphere:12", "cube-sphere:24", 4 * pi, 4 * pi / 3);
-    check_order_two("icosphere:3", "icosphere:4", 4 * pi, 4 * pi / 3);
-    check_order_two("torus:40x30", "torus:80x60", 4 * pi * pi * 0.4, 2 * pi * pi * 0.16);
+    check_order_two("cube-sphere:12", "cube-sphere:24", 4 * PI, 4 * PI / 3);
+    check_order_two("icosphere:3", "icosphere:4", 4 * PI, 4 * PI / 3);
+    check_order_two("torus:40x30", "torus:80x60", 4 * PI * PI * 0.4, 2 * PI * PI * 0.16);
 }
 
 /// Rest lengths are those of flat sheets to 1e-4, so a sewn sheet's truths are the flat one's.

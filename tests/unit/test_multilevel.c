@@ -2,13 +2,13 @@
 /// that turn above nodes that turn.
 #include "bodies.h"
 #include "force/tangent.h"
-#include "solve/multilevel.h"
+#include "solve/multigrid/multigrid.h"
 
 typedef struct Fixture {
     Mesh mesh;
     Body body;
     Tangent tangent;
-    Multilevel levels;
+    Multigrid levels;
 } Fixture;
 
 /// A shaken ball of rubber, its tangent made positive and its mass in a step of 1/60 s; some
@@ -25,14 +25,14 @@ static void open_fixture(Fixture* f) {
     for (int i = 0; i < f->body.count; i++)
         for (int c = 0; c < 3; c++)
             block_matrix_diagonal(&f->tangent.matrix, i)->column[c][c] += f->body.mass[i];
-    multilevel_open(&f->levels, &f->tangent.matrix, f->body.inverse_mass);
-    multilevel_ready(&f->levels, f->body.x, true);
+    multigrid_open(&f->levels, &f->tangent.matrix, f->body.inverse_mass);
+    multigrid_ready(&f->levels, f->body.x, true);
     assert_true(f->levels.count >= 4);
     assert_true(f->levels.level[2].transfer.rows == 2);
 }
 
 static void close_fixture(Fixture* f) {
-    multilevel_close(&f->levels);
+    multigrid_close(&f->levels);
     tangent_close(&f->tangent);
     body_free(&f->body);
     mesh_free(&f->mesh);
@@ -207,8 +207,8 @@ static void cycle_is_symmetric_and_positive(void** state) {
     const int n = f.body.count;
     real4 *a = random_vectors(n, 5), *b = random_vectors(n, 6);
     real4 *of_a = new_array(real4, n), *of_b = new_array(real4, n);
-    const double along = multilevel_apply(&f.levels, a, of_a);
-    multilevel_apply(&f.levels, b, of_b);
+    const double along = multigrid_apply(&f.levels, a, of_a);
+    multigrid_apply(&f.levels, b, of_b);
     double size, ignored;
     const double other = product(a, of_a, n, &size);
     assert_near(along, other, rounding * size);

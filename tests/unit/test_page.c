@@ -107,17 +107,17 @@ static void what_a_balloon_has_not_is_not_plotted(void** state) {
 static void a_round_skin_has_its_closed_form(void** state) {
     (void)state;
     World world;
-    Round round;
+    Spherical round;
     WORLD_OF(&world, "sphere-gas");
-    assert_true(round_find(&world.balloon[0], &round));
+    assert_true(spherical_find(&world.balloon[0], &round));
     assert_close(truth_pressure(&round.truth, 1.2550441340), 1185.797827, 1e-6);
     assert_close(round.volume, 0.00404704467997885, TOLERANCE(1e-6, 1e-12));
     world_close(&world);
 
     WORLD_OF(&world, "tether", "balloons.0.model=cube-sphere:4");
-    assert_true(round_find(&world.balloon[0], &round));
+    assert_true(spherical_find(&world.balloon[0], &round));
     const double l = 1.036172;
-    assert_close(truth_pressure(&round.truth, l), 100 / (4 * 3.14159265358979 * l * l), 1e-4);
+    assert_close(truth_pressure(&round.truth, l), 100 / (4 * PI * l * l), 1e-4);
     world_close(&world);
 }
 
@@ -137,9 +137,9 @@ static void other_skins_have_none(void** state) {
     };
     for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
         World world;
-        Round round;
+        Spherical round;
         world_of_list(&world, none[k]);
-        if (round_find(&world.balloon[0], &round))
+        if (spherical_find(&world.balloon[0], &round))
             fail_msg("%s has a closed form", none[k][0]);
         LabPage* lab = lab_page_open(&world, NULL, 0, false);
         lab_page_start(lab, &world);

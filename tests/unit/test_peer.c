@@ -1,6 +1,6 @@
 /// Bullet's soft body behind our face does what the face says.
 #include "bodies.h"
-#include "lab/peer.h"
+#include "lab/peer/peer.h"
 
 static const double h = 1e-3; ///< [s]
 

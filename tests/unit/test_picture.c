@@ -200,13 +200,13 @@ static void a_picture_has_a_new_stamp_when_it_is_another(void** state) {
     last = studio.picture.stamp;
     assert_int_equal(stamp_after(&studio, &mode_stretch), last);
     const Sphere ball = {.x = {0, 3, 0}, .radius = 1, .mass = 1};
-    collide_add(&studio.world.collide, &ball);
+    contacts_add(&studio.world.contacts, &ball);
     assert_true(stamp_after(&studio, &mode_stretch) > last);
     last = studio.picture.stamp;
-    studio.world.collide.sphere[0].x[1] = 4;
+    studio.world.contacts.sphere[0].x[1] = 4;
     assert_true(stamp_after(&studio, &mode_stretch) > last);
     last = studio.picture.stamp;
-    collide_clear(&studio.world.collide);
+    contacts_clear(&studio.world.contacts);
     assert_true(stamp_after(&studio, &mode_stretch) > last);
     studio_close(&studio);
 }

@@ -10,7 +10,6 @@
 /// balance. The springs' slopes serve to see first that the skin is at rest.
 #include "worlds.h"
 
-static const double pi = 3.14159265358979323846;
 static const double ball_radius = 0.5;       ///< a [m]
 static const double ball_mass = 0.25;        ///< [kg] light, so that it comes to rest fast
 static const double structural = 50;         ///< [N/m]
@@ -41,7 +40,7 @@ static double spacing(double radius) {
 
 /// Sectors of a ring beside one that has so many.
 static int sectors_beside(int sectors, double radius) {
-    const bool few = 2 * pi * radius / sectors < narrow * spacing(radius);
+    const bool few = 2 * PI * radius / sectors < narrow * spacing(radius);
     return few && sectors > SECTORS_LEAST ? sectors / 2 : sectors;
 }
 
@@ -102,7 +101,7 @@ static void write_disc(const char* path) {
     fprintf(out, "v 0 0 0\n");
     for (int k = 0; k < rings.count; k++)
         for (int s = 0; s < rings.sectors[k]; s++) {
-            const double angle = 2 * pi * s / rings.sectors[k];
+            const double angle = 2 * PI * s / rings.sectors[k];
             fprintf(out, "v %.17g 0 %.17g\n", rings.radius[k] * cos(angle),
                     -rings.radius[k] * sin(angle));
         }
@@ -147,8 +146,8 @@ static double radius_of(double4 x) {
 /// Where the outermost triangle is that pushes the ball.
 static double outermost_push(const World* world) {
     double most = 0;
-    for (int k = 0; k < world->collide.contact_count; k++) {
-        const Contact* c = &world->collide.contact[k];
+    for (int k = 0; k < world->contacts.contact_count; k++) {
+        const Contact* c = &world->contacts.contact[k];
         if (c->push > 0)
             most = fmax(most, radius_of(to_double4(c->arm)));
     }
@@ -201,7 +200,7 @@ static Cut cut_at(const Body* body, double4 axis, double radius) {
         const double4 d = out - in, outward = (in + out) * (double4){1, 0, 1, 0};
         const double now = dlength(d), rise = d[1], run = ddot(d, outward) / dlength(outward);
         const double pull = (double)springs->stiffness[s] * (now - (double)springs->rest[s]);
-        cut.tension += pull * sqrt(run * run + rise * rise) / now / (2 * pi * radius);
+        cut.tension += pull * sqrt(run * run + rise * rise) / now / (2 * PI * radius);
         cut.lift += pull * rise / now;
         if (s < springs->from[STRUCTURAL + 1])
             cut.edge = fmax(cut.edge, now);
@@ -213,19 +212,19 @@ static void check_rest(double gravity, double inflation) {
     World world;
     open_membrane(&world, gravity, inflation);
     run_for(&world, seconds);
-    assert_int_equal(world.collide.pass_throughs, 0);
+    assert_int_equal(world.contacts.pass_throughs, 0);
     assert_int_equal(world.substeps, 1);
 
     const Body* body = &world.balloon[0].body;
-    const double4 center = to_double4(world.collide.sphere[0].x);
-    const double rc = contact_radius(body, center, outermost_push(&world)), area = pi * rc * rc;
+    const double4 center = to_double4(world.contacts.sphere[0].x);
+    const double rc = contact_radius(body, center, outermost_push(&world)), area = PI * rc * rc;
     const double outside = (1 + 1 / edges_in_a_contact) * rc;
     const double weight = ball_mass * gravity, p = probe(&world, "balloon0.gauge_pressure");
     const Cut cut = cut_at(body, center, outside);
     // at rest: what is left of the motion is worth less than 2 % of the weight
     assert_near(center[0], 0, 0.01 * ball_radius);
     assert_near(center[2], 0, 0.01 * ball_radius);
-    assert_close(cut.lift + p * pi * outside * outside, weight, 0.02);
+    assert_close(cut.lift + p * PI * outside * outside, weight, 0.02);
     // one edge is 5 % of the area in the circle: rc is known to a part of one
     assert_less(cut.edge, rc / edges_in_a_contact);
     assert_close(area * (p + 2 * cut.tension / ball_radius), weight, 0.05);

@@ -5,7 +5,7 @@
 #include "bodies.h"
 #include "force/tangent.h"
 #include "force/inflation.h"
-#include "lab/truth.h"
+#include "lab/truth/truth.h"
 #include "mesh/measure.h"
 #include "worlds.h"
 
@@ -337,7 +337,7 @@ static void helium_lifts_off_when_filled_enough(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "lift-off");
-    const double weight = 9.81 * 4 * 3.14159265358979 * 0.01 * 3e-4 * 1000;
+    const double weight = 9.81 * 4 * PI * 0.01 * 3e-4 * 1000;
     bool light = false;
     while (world_time(&world) < 6) {
         run_for(&world, 0.1);

@@ -10,7 +10,7 @@
 /// On a mesh of half the edge the leading term is a quarter, what follows it a sixteenth, so
 ///
 ///     coarse/fine = 4 (1 + r)/(1 + r/4) = 4 + 3 r,    (4 fine - coarse)/3 = -r/4 of the coarse
-#include "lab/truth.h"
+#include "lab/truth/truth.h"
 #include "worlds.h"
 
 enum {
@@ -22,7 +22,7 @@ enum {
 static const double sample_time = 2e-4;
 
 /// The squares of the coarse mesh's edges over its radius: equilateral triangles tile a sphere.
-static const double square_edge = 4 * 4 * 3.14159265358979323846 / 1.7320508075688772 / FACES;
+static const double square_edge = 4 * 4 * PI / 1.7320508075688772 / FACES;
 
 /// l[k], the stretch at k sample_time, in steps of sample_time/parts.
 static void run(const char* scene, int level, int parts, double l[SAMPLES + 1]) {

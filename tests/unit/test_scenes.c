@@ -107,7 +107,7 @@ static void tied_squirrel_turns_upside_down(void** state) {
 
 static double sphericity(const World* world) {
     const double volume = probe(world, "balloon0.volume"), area = probe(world, "balloon0.area");
-    return cbrt(36 * 3.14159265358979323846 * volume * volume) / area;
+    return cbrt(36 * PI * volume * volume) / area;
 }
 
 /// Figures 24 and 25.

@@ -76,12 +76,12 @@ static void a_ball_wakes_it(void** state) {
     assert_true(world.balloon[0].body.asleep);
     while (world.balloon[0].body.asleep && world_time(&world) < settle + 5)
         world_step(&world);
-    assert_less(-4, (double)world.collide.sphere[0].x[0]);
-    assert_less((double)world.collide.sphere[0].x[0], -1);
+    assert_less(-4, (double)world.contacts.sphere[0].x[0]);
+    assert_less((double)world.contacts.sphere[0].x[0], -1);
     run_for(&world, 0.3);
-    assert_less((double)world.collide.sphere[0].v[0], 9);
+    assert_less((double)world.contacts.sphere[0].v[0], 9);
     assert_less(0.01, probe(&world, "balloon0.cx"));
-    assert_int_equal(world.collide.pass_throughs, 0);
+    assert_int_equal(world.contacts.pass_throughs, 0);
     world_close(&world);
 }
 

@@ -1,8 +1,8 @@
 /// Where every method fails, measured: at its theoretical limit, and never below the bound.
 #include "worlds.h"
 
-#include "lab/trial.h"
-#include "lab/truth.h"
+#include "lab/stability/trial.h"
+#include "lab/truth/truth.h"
 
 static void open_trial(Trial* trial, const Method* method, const char* const* words) {
     SceneSet set[8];

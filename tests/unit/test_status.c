@@ -80,7 +80,7 @@ static void balls_are_counted_and_a_pass_through_is_said(void** state) {
     assert_string_equal(row(&panel, "pass-throughs"), "0");
     assert_false(panel.alarm);
 
-    studio.world.collide.pass_throughs = 2;
+    studio.world.contacts.pass_throughs = 2;
     status_take(&panel, &studio.world, &studio.picture, &status);
     assert_string_equal(row(&panel, "pass-throughs"), "2");
     assert_true(panel.alarm);

@@ -2,8 +2,6 @@
 /// values that separate programs computed and against what the methods do on two numbers x and v.
 #include "truths.h"
 
-static const double PI = 3.14159265358979323846;
-
 /// x after n steps of `euler` under x'' = push - w2 x - gamma x', and its speed in *v.
 static double euler(double w2, double gamma, double push, double x, double* v, double h, int n) {
     for (int i = 0; i < n; i++) {

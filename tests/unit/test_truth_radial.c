@@ -18,13 +18,13 @@ static double gas_pressure(const TruthBalloon* b, const void* self, double t, do
 static void small_swings_have_the_breathing_frequency(void** state) {
     (void)state;
     const TruthBalloon b = truth_balloon_default();
-    const double exponent[] = {1, 1.4, 5.0 / 3}, far = 1e-6, pi = 3.14159265358979323846;
+    const double exponent[] = {1, 1.4, 5.0 / 3}, far = 1e-6;
     for (int i = 0; i < 3; i++) {
         const Gas gas = {2, truth_stretch_gas(&b, 2), exponent[i]};
         const double w = truth_breath_gas(&b, 2, exponent[i]);
         const TruthMotion from = {gas.l0 + far, 0};
-        const TruthMotion quarter = truth_radial(&b, gas_pressure, &gas, 0, from, 0, pi / (2 * w));
-        const TruthMotion half = truth_radial(&b, gas_pressure, &gas, 0, from, 0, pi / w);
+        const TruthMotion quarter = truth_radial(&b, gas_pressure, &gas, 0, from, 0, PI / (2 * w));
+        const TruthMotion half = truth_radial(&b, gas_pressure, &gas, 0, from, 0, PI / w);
         // the next term of the swing is far^2, with a coefficient of some 10
         assert_near((quarter.l - gas.l0) / far, 0, 2e-5);
         assert_near((half.l - gas.l0) / far, -1, 2e-5);

@@ -242,7 +242,7 @@ static void events_may_set_numbers(void** state) {
     event = (Event){.kind = EVENT_SET, .name = "gravity", .value = "1.6"};
     assert_true(world_event(&world, &event, &fault));
     assert_close(world.balloon[0].body.gravity, 1.6, 1e-12);
-    assert_close(world.collide.gravity, 1.6, 1e-12);
+    assert_close(world.contacts.gravity, 1.6, 1e-12);
 
     const Event bad[] = {
         {.kind = EVENT_SET, .name = "balloons.7.gravity", .value = "1"},

@@ -2,7 +2,7 @@
 #ifndef BALLOON_TESTS_TRUTHS_H
 #define BALLOON_TESTS_TRUTHS_H
 
-#include "lab/truth.h"
+#include "lab/truth/truth.h"
 #include "law.h"
 
 /// Half a unit of the last of `digits` decimals, and rounding.

@@ -1,0 +1,76 @@
+#include "constraint/strain_limit.h"
+
+#include <stdlib.h>
+
+#include "base/memory.h"
+
+void strain_limit_switch(StrainLimit* correct, Body* body, bool on) {
+    correct->on = on && body->springs.count > 0;
+    correct->corrected = 0;
+    if (correct->on && !correct->ahead)
+        correct->ahead = new_array(real4, body->count);
+    for (int s = 0; !correct->on && s < body->springs.count; s++)
+        body_stiffen(body, s, body->springs.stiffness[s]);
+}
+
+/// Move the ends of spring s together to at most `most` times its rest length, each by its share of
+/// the inverse masses: half each, or all at the free end. True if it was longer.
+static bool shorten(const Body* body, real4* x, int s, real most) {
+    const int i = body->springs.end[s][0], j = body->springs.end[s][1];
+    const real4 d = x[j] - x[i];
+    const real now = length(d);
+    const real over = now - most * body->springs.rest[s];
+    const bool move_i = body->inverse_mass[i] > 0, move_j = body->inverse_mass[j] > 0;
+    if (over <= 0 || !(move_i || move_j))
+        return false;
+
+    const real4 pull = (over / (now * (real)(move_i + move_j))) * d;
+    if (move_i)
+        x[i] += pull;
+    if (move_j)
+        x[j] -= pull;
+    return true;
+}
+
+/// One sequential pass, kind after kind: what a later spring moves is not looked at again.
+static void shorten_all(StrainLimit* correct, Body* body) {
+    Springs* springs = &body->springs;
+    correct->corrected = 0;
+    for (int kind = 0; kind < SPRING_KINDS; kind++) {
+        if (correct->threshold[kind] <= 0)
+            continue;
+        const real most = (real)(1 + correct->threshold[kind]);
+        for (int s = springs->from[kind]; s < springs->from[kind + 1]; s++) {
+            const bool was_long = shorten(body, correct->ahead, s, most);
+            correct->corrected += was_long;
+            const real acts = was_long && correct->tarantino ? 0 : springs->stiffness[s];
+            if (acts != springs->active[s])
+                body_stiffen(body, s, acts);
+        }
+    }
+}
+
+void strain_limit_velocity(StrainLimit* correct, Body* body, double step) {
+    if (!correct->on)
+        return;
+    const real h = (real)step;
+    for (int i = 0; i < body->count; i++)
+        correct->ahead[i] = body->x[i] + h * body->v[i];
+
+    shorten_all(correct, body);
+
+    // the velocity is what a particle really does; a particle that was not moved keeps its own,
+    // for a difference of positions would only add their rounding to it
+    for (int i = 0; i < body->count; i++) {
+        const real4 moved = correct->ahead[i] - (body->x[i] + h * body->v[i]);
+        if (correct->phantom)
+            body->x[i] += moved;
+        else if (dot(moved, moved) > 0)
+            body->v[i] = (correct->ahead[i] - body->x[i]) / h;
+    }
+}
+
+void strain_limit_free(StrainLimit* correct) {
+    free(correct->ahead);
+    *correct = (StrainLimit){0};
+}

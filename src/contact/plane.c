@@ -1,0 +1,35 @@
+#include "contact/plane.h"
+
+static const real friction = (real)0.8; ///< [1] rubber on a dry floor
+static const real way_out = (real)0.2;  ///< [1] part of a depth that a drift may undo
+static const real way_rate = 20; ///< [1/s] and part in a second, so that short drifts do not kick
+
+bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h) {
+    double4 nearest = {0};
+    for (int k = 0; k < 3; k++)
+        nearest[k] = (double)(plane->normal[k] > 0 ? x->low[k] : x->high[k]);
+    // twice the way, as plane_stop has it; written so that a NaN is within
+    return !(ddot(plane->normal, nearest - plane->point) > 2 * extent_length(v) * h);
+}
+
+bool plane_stop(Body* body, const Plane* plane, double step) {
+    const real h = (real)step;
+    const real4 n = to_real4(plane->normal), point = to_real4(plane->point);
+    bool any = false;
+    for (int i = 0; i < body->count; i++) {
+        const real gap = dot(n, body->x[i] - point);
+        const real along = dot(n, body->v[i]);
+        if (gap > 0 && gap > -2 * along * h) // the most are far away, and need no division
+            continue;
+        const real stop = (gap > 0 ? -gap / h : -real_min(way_out / h, way_rate) * gap) - along;
+        if (stop <= 0 || body->inverse_mass[i] <= 0)
+            continue;
+
+        const real4 slide = body->v[i] - along * n;
+        const real speed = length(slide);
+        const real kept = speed > friction * stop ? 1 - friction * stop / speed : 0;
+        body->v[i] = (along + stop) * n + kept * slide;
+        any = true;
+    }
+    return any;
+}

@@ -1,0 +1,77 @@
+#include "contact/sweep.h"
+
+#include "contact/cross.h"
+
+enum { ROUNDS_MOST = 32 };
+static const double shortest = 1e-9; ///< [s] of a drift
+static const double rounding = 1e-2; ///< [radii] more than the distance to a triangle is off by
+
+/// Seen from the ball no point of the triangle goes further than its fastest corner: one that is
+/// further away than that needs no sweep.
+static bool out_of_way(const Contact* c, double h) {
+    const double away = dlength(to_double4(c->arm)) - rounding * (double)c->sphere->radius;
+    double fastest2 = 0;
+    for (int k = 0; k < 3; k++) {
+        const double4 v = to_double4(c->sphere->v) - to_double4(c->body->v[c->particle[k]]);
+        fastest2 = fmax(fastest2, ddot(v, v));
+    }
+    return away > 0 && h * h * fastest2 < away * away;
+}
+
+/// The way from x to where a drift puts it, rounding and all: a centre pressed onto a triangle must
+/// not get to the other side by rounding.
+static double4 way(real4 x, real4 v, double h) {
+    return to_double4(x + (real)h * v) - to_double4(x);
+}
+
+bool sweep_passes(const Contact* c, double h) {
+    if (out_of_way(c, h))
+        return false;
+    double4 a[3], da[3];
+    for (int k = 0; k < 3; k++) {
+        const real4 x = c->body->x[c->particle[k]];
+        a[k] = to_double4(x);
+        da[k] = way(x, c->body->v[c->particle[k]], h);
+    }
+    const real4 x = c->sphere->x;
+    return cross_time(to_double4(x), way(x, c->sphere->v, h), a, da) <= 1;
+}
+
+/// What the impulses could not solve stops: the ball and the triangle's particles go on together,
+/// with their common linear momentum. A held particle stops them all.
+static void join(const Contact* c) {
+    double mass = (double)c->sphere->mass;
+    double4 momentum = mass * to_double4(c->sphere->v);
+    bool held = false;
+    for (int k = 0; k < 3; k++) {
+        const int i = c->particle[k];
+        held |= c->body->inverse_mass[i] <= 0;
+        mass += (double)c->body->mass[i];
+        momentum += (double)c->body->mass[i] * to_double4(c->body->v[i]);
+    }
+    const real4 v = held ? (real4){0, 0, 0, 0} : to_real4(momentum / mass);
+    c->sphere->v = v;
+    for (int k = 0; k < 3; k++)
+        c->body->v[c->particle[k]] = v;
+}
+
+/// Join what would pass through, until nothing would. False where rounds run out.
+static bool stop_all(const Contact* near, int count, double h) {
+    for (int round = 0; round < ROUNDS_MOST; round++) {
+        bool any = false;
+        for (int k = 0; k < count; k++)
+            if (sweep_passes(&near[k], h)) {
+                join(&near[k]);
+                any = true;
+            }
+        if (!any)
+            return true;
+    }
+    return false;
+}
+
+double sweep_stop(const Contact* near, int count, double h) {
+    while (!stop_all(near, count, h) && h > shortest)
+        h /= 2;
+    return h;
+}

@@ -1,0 +1,209 @@
+/// Whether advice keeps its word: scenes with a closed form, their parameters a tenth off those
+/// that were measured, are asked for errors and for costs; what was promised is held against the
+/// truth.
+#include <math.h>
+#include <string.h>
+
+#include "lab/advice/advise.h"
+#include "lab/bench/bench.h"
+#include "lab/run/report.h"
+#include "lab/truth/truth.h"
+#include "base/paths.h"
+
+enum { SETS = 3, RUNS = 3 };
+
+/// What a run may cost over what it was to cost. [1]
+static const double cost_margin = 1.5;
+/// Asks that must be kept. [1]
+static const double kept_least = 0.95;
+
+static const double asked_error[] = {0.05, 0.01, 0.002}; ///< [1]
+static const double asked_ms[] = {1, 4, 16};             ///< [ms]
+
+/// A scene, a tenth off one way or the other, and what is then true of its first output.
+typedef struct AskedScene {
+    const char* scene;
+    const char* format[SETS]; ///< keys with %g, each set to value times the factor
+    double value[SETS];
+    double (*truth)(double factor);
+} AskedScene;
+
+static double sphere_volume(double l) {
+    return 4.0 / 3 * PI * pow(0.1 * l, 3);
+}
+
+static double gas(double factor) {
+    const TruthBalloon balloon = truth_balloon_default();
+    return truth_pressure(&balloon, truth_stretch_gas(&balloon, 2 * factor));
+}
+
+static double thick_gas(double factor) {
+    TruthBalloon balloon = truth_balloon_default();
+    balloon.thickness *= factor;
+    return truth_pressure(&balloon, truth_stretch_gas(&balloon, 2));
+}
+
+static double pressure(double factor) {
+    TruthBalloon balloon = truth_balloon_default();
+    balloon.modulus *= factor;
+    return sphere_volume(truth_stretch_pressure(&balloon, 0.85 * 1108.503372));
+}
+
+static double sudden(double factor) {
+    const TruthBalloon balloon = truth_balloon_default();
+    return sphere_volume(truth_sudden(&balloon, 800 * factor, 0.02).l);
+}
+
+static double tied(double factor) {
+    return truth_tether(386, 1e-3 * factor, 25, 9.8);
+}
+
+static double cube(double factor) {
+    TruthCube cube = truth_cube_default();
+    cube.amount *= factor;
+    const double side = 2 / sqrt(3) * (sqrt(3) + truth_cube_growth(&cube, 0.02));
+    return side * side * side;
+}
+
+// clang-format off
+static const AskedScene asked_table[] = {
+    {"sphere-gas",      {"balloons.0.inflation.fill.to=%.17g"}, {2}, gas},
+    {"sphere-gas",      {"balloons.0.skin.membrane.thickness=%.17g"}, {3e-4}, thick_gas},
+    {"sphere-pressure", {"balloons.0.skin.membrane.young=%.17g",
+                         "balloons.0.inflation.fill.to=942.2278662"}, {1e6}, pressure},
+    {"sphere-step",     {"balloons.0.inflation.amount=%.17g"}, {800}, sudden},
+    {"tether",          {"balloons.0.mass.per_particle=%.17g", "seconds=3",
+                         "about=[{output: balloon0.string0.tension, at: 3, tolerance: 0.01}]"},
+                        {1e-3}, tied},
+    {"exact-cube",      {"balloons.0.inflation.amount=%.17g"}, {1}, cube},
+};
+// clang-format on
+enum { ASKED = sizeof asked_table / sizeof *asked_table };
+
+typedef struct Tally {
+    int asked, kept, refused;
+} Tally;
+
+static int sets_for(const AskedScene* asked, double factor, Overrides* sets, SceneSet* set) {
+    for (int k = 0; k < SETS && asked->format[k]; k++) {
+        char text[256];
+        const char* number = strstr(asked->format[k], "%.17g");
+        snprintf(text, sizeof text, "%s", asked->format[k]);
+        if (number)
+            snprintf(text + (number - asked->format[k]),
+                     sizeof text - (size_t)(number - asked->format[k]), "%.17g",
+                     asked->value[k] * factor);
+        overrides_add(sets, "%s", text);
+    }
+    for (int k = 0; k < sets->count; k++)
+        set[k].text = sets->text[k];
+    return sets->count;
+}
+
+/// Run the scene as advised: its first output, and the least cost of a frame.
+static bool run_advised(const char* scene, const World* world, const Overrides* sets, double* value,
+                        double* ms, Fault* fault) {
+    char program[512];
+    const AboutDef* about = &world->def.about[0];
+    if (!paths_sibling("balloon", program, fault))
+        return false;
+    *ms = INFINITY;
+    bool good = true;
+    for (int run = 0; good && run < RUNS; run++) {
+        Launch launch = {.words = 0};
+        Report report;
+        launch_add(&launch, "%s", program);
+        launch_add(&launch, "run");
+        launch_add(&launch, "%s", scene);
+        for (int k = 0; k < sets->count; k++)
+            launch_add(&launch, "--set=%s", sets->text[k]);
+        launch_add(&launch, "--seconds=%.17g", fmax(0.3, about->at));
+        launch_add(&launch, "--time");
+        good = launch_all(&launch, 1, 1, "asked", fault);
+        if (good) {
+            report_read(&report, &launch);
+            *value = report_output(&launch, about);
+            *ms = fmin(*ms, report.ms / ADVISE_FPS);
+            report_free(&report);
+        }
+        launch_free(&launch);
+    }
+    return good;
+}
+
+static bool ask(const AskedScene* asked, double factor, const World* world, const Advice* advice,
+                const Overrides* own, double error, double ms, Tally* tally, Fault* fault) {
+    const AdvicePoint* best;
+    const AdvicePoint* point = advise_pick(advice, error, ms, &best);
+    tally->asked++;
+    printf("%s,%g,%g,", asked->scene, error, ms);
+    if (!point) { // it says so, and promises nothing
+        tally->kept++;
+        tally->refused++;
+        puts("-,,,,,,,");
+        return true;
+    }
+    Overrides sets = *own;
+    double value, cost;
+    advise_sets(world, point, &sets);
+    if (!run_advised(asked->scene, world, &sets, &value, &cost, fault))
+        return false;
+    const double truth = asked->truth(factor), off = fabs(value - truth) / fabs(truth);
+    const double promise = advise_promise(advice, point);
+    fflush(stdout);
+    tally->kept += off <= promise && cost <= cost_margin * point->ms;
+    printf("%s,%d,%g,%s,%.3g,%.3g,%.3g,%.3g\n", point->method, point->level, point->step,
+           point->precision, promise, off, point->ms, cost);
+    return true;
+}
+
+static bool ask_all(const AskedScene* asked, double factor, bool quick, Tally* tally,
+                    Fault* fault) {
+    Overrides own = {.count = 0}, first = {.count = 0};
+    SceneSet set[OVERRIDES_MOST], measured[OVERRIDES_MOST];
+    Advice advice;
+    WorldDef def;
+    World world;
+    const int count = sets_for(asked, factor, &own, set);
+    sets_for(asked, 1, &first, measured);
+    if (!advise_points(asked->scene, measured, count, false, &advice, fault))
+        return false;
+    bool good =
+        scene_load(asked->scene, set, count, &def, fault) && world_open(&world, &def, fault);
+    if (!good) {
+        advise_free(&advice);
+        return false;
+    }
+    for (int k = 0; good && k < 3; k++)
+        good = ask(asked, factor, &world, &advice, &own, asked_error[k], 0, tally, fault);
+    for (int k = 0; good && !quick && k < 3; k++)
+        good = ask(asked, factor, &world, &advice, &own, 0, asked_ms[k], tally, fault);
+    world_close(&world);
+    advise_free(&advice);
+    return good;
+}
+
+static bool run(const BenchOptions* options, Fault* fault) {
+    const bool quick = options->quick;
+    Tally tally = {0};
+    puts("scene,asked_error,asked_ms,method,level,step,precision,expected_error,measured_error,"
+         "expected_ms,measured_ms");
+    for (int k = 0; k < ASKED; k++) {
+        if (quick && k + 1 < ASKED)
+            continue;
+        if (!ask_all(&asked_table[k], 0.9, quick, &tally, fault) ||
+            !ask_all(&asked_table[k], 1.1, quick, &tally, fault))
+            return false;
+    }
+    printf("%d of %d asks kept, %d of them by saying that it cannot be had\n", tally.kept,
+           tally.asked, tally.refused);
+    return tally.kept >= kept_least * tally.asked ||
+           fault_set(fault, "advise", "%d of %d asks were kept, which is less than %g %%",
+                     tally.kept, tally.asked, 100 * kept_least);
+}
+
+const BenchCase bench_advise = {
+    .name = "advise",
+    .about = "whether advice keeps its word on closed forms",
+    .run = run,
+};

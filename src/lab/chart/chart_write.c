@@ -1,0 +1,169 @@
+#include <errno.h>
+#include <math.h>
+#include <string.h>
+
+#include "lab/chart/chart.h"
+#include "lab/run/machine.h"
+#include "mesh/mesh.h"
+
+static const double good_enough = 0.01; ///< the error that the summary asks for [1]
+
+static FILE* open_in(const char* folder, const char* name, char path[512], Fault* fault) {
+    snprintf(path, 512, "%s/%s", folder, name);
+    FILE* out = fopen(path, "w");
+    if (!out)
+        fault_set(fault, path, "cannot be written: %s", strerror(errno));
+    return out;
+}
+
+static bool close_whole(FILE* out, const char* path, Fault* fault) {
+    const bool whole = !ferror(out);
+    return (fclose(out) == 0 && whole) || fault_set(fault, path, "cannot be written to its end");
+}
+
+/// A pair that the method refuses has nothing but its name.
+static void write_row(const ChartPoint* p, FILE* out) {
+    fprintf(out, "%s,%s,%s,%s,%d,%.17g,%s,", p->name, p->method, p->skin, p->law, p->vertices,
+            p->step, p->precision);
+    if (p->launch == NONE)
+        fprintf(out, "-,-,%.17g,-,-,-\n", p->truth);
+    else
+        fprintf(out, "%.6g,%.17g,%.17g,%.17g,%d,%s\n", p->ms, p->measured, p->truth, p->error,
+                p->stable, p->hash);
+}
+
+static bool write_csv(const ChartPlan* plan, const char* folder, Fault* fault) {
+    char path[512];
+    FILE* out = open_in(folder, "chart.csv", path, fault);
+    if (!out)
+        return false;
+    fputs("scene,method,skin,law,vertices,step,precision,ms_per_second,measured,truth,error,stable,"
+          "hash\n",
+          out);
+    for (int p = 0; p < plan->points; p++)
+        write_row(&plan->point[p], out);
+    return close_whole(out, path, fault);
+}
+
+/// Rising in cost, so that they can be joined by a line.
+static void write_front(const ChartPlan* plan, int from, int of_line, FILE* out) {
+    const ChartPoint* first = &plan->point[from];
+    double last = -1;
+    for (;;) {
+        const ChartPoint* next = NULL;
+        for (int p = from; p < chart_end(plan, from); p++) {
+            const ChartPoint* point = &plan->point[p];
+            if ((of_line ? point->best_of_line && chart_same_line(point, first) : point->best) &&
+                point->ms > last && (!next || point->ms < next->ms))
+                next = point;
+        }
+        if (!next)
+            return;
+        last = next->ms;
+        fprintf(out, "%s,%s,%s,%s,%.6g,%.17g\n", next->name, of_line ? next->method : "-",
+                of_line ? next->skin : "-", of_line ? next->law : "-", next->ms, next->error);
+    }
+}
+
+static bool is_first_of_line(const ChartPlan* plan, int from, int p) {
+    for (int q = from; q < p; q++)
+        if (chart_same_line(&plan->point[q], &plan->point[p]))
+            return false;
+    return true;
+}
+
+static bool write_fronts(const ChartPlan* plan, const char* folder, Fault* fault) {
+    char path[512];
+    FILE* out = open_in(folder, "front.csv", path, fault);
+    if (!out)
+        return false;
+    fputs("scene,method,skin,law,ms_per_second,error\n", out);
+    for (int from = 0; from < plan->points; from = chart_end(plan, from)) {
+        write_front(plan, from, false, out);
+        for (int p = from; p < chart_end(plan, from); p++)
+            if (is_first_of_line(plan, from, p))
+                write_front(plan, p, true, out);
+    }
+    return close_whole(out, path, fault);
+}
+
+/// The cheapest point below an error, of the peer or of ours; NULL: none.
+static const ChartPoint* cheapest(const ChartPlan* plan, int from, bool peer, double error) {
+    const ChartPoint* best = NULL;
+    for (int p = from; p < chart_end(plan, from); p++) {
+        const ChartPoint* point = &plan->point[p];
+        if (point->launch != NONE && !point->apart && point->stable && point->error <= error &&
+            chart_is_peer(point) == peer && (!best || point->ms < best->ms))
+            best = point;
+    }
+    return best;
+}
+
+/// The least error of the peer or of ours, INFINITY where there is none.
+static double least_error(const ChartPlan* plan, int from, bool peer) {
+    double least = INFINITY;
+    for (int p = from; p < chart_end(plan, from); p++)
+        if (plan->point[p].stable && !plan->point[p].apart &&
+            chart_is_peer(&plan->point[p]) == peer)
+            least = fmin(least, plan->point[p].error);
+    return least;
+}
+
+static void write_error(const ChartPoint* point, FILE* out) {
+    if (point->measure->unit)
+        fprintf(out, "%.2g %s", point->error, point->measure->unit);
+    else
+        fprintf(out, "%.2g %%", 100 * point->error);
+}
+
+static void write_best(const ChartPoint* point, FILE* out) {
+    if (point) {
+        fprintf(out, "%s, %s, %d vertices, %g s, %s | %.3g | ", point->method, point->law,
+                point->vertices, point->step, point->precision, point->ms);
+        write_error(point, out);
+        fprintf(out, " |");
+    } else
+        fprintf(out, "- | - | - |");
+}
+
+/// For each scene the cheapest below 1 %, or what comes nearest, and the peer at its best.
+static void write_table(const ChartPlan* plan, FILE* out) {
+    fprintf(out,
+            "| | scene | measured | cheapest below 1 %% error | ms per s | error | Bullet's best "
+            "error | ms per s |\n|---|---|---|---|---|---|---|---|\n");
+    for (int from = 0; from < plan->points; from = chart_end(plan, from)) {
+        const ChartPoint* first = &plan->point[from];
+        const ChartPoint* ours = cheapest(plan, from, false, good_enough);
+        const ChartPoint* peer = cheapest(plan, from, true, least_error(plan, from, true));
+        fprintf(out, "| %s | %s | %s | ", first->chart->letter, first->name, first->measure->about);
+        if (!ours)
+            fprintf(out, "none; nearest: ");
+        write_best(ours ? ours : cheapest(plan, from, false, least_error(plan, from, false)), out);
+        if (peer) {
+            fprintf(out, " ");
+            write_error(peer, out);
+            fprintf(out, " | %.3g |\n", peer->ms);
+        } else
+            fprintf(out, " %s | - |\n",
+                    first->chart->peer.none         ? first->chart->peer.none
+                    : first->chart->peer.resolution ? "fell"
+                                                    : "-");
+    }
+}
+
+static bool write_summary(const ChartPlan* plan, const char* folder, Fault* fault) {
+    char path[512];
+    FILE* out = open_in(folder, "chart.md", path, fault);
+    if (!out)
+        return false;
+    fprintf(out, "Measured on %s: CPU time of stepping per simulated second, one thread.\n\n",
+            machine_name());
+    write_table(plan, out);
+    write_table(plan, stdout);
+    return close_whole(out, path, fault);
+}
+
+bool chart_write(const ChartPlan* plan, const char* folder, Fault* fault) {
+    return write_csv(plan, folder, fault) && write_fronts(plan, folder, fault) &&
+           write_summary(plan, folder, fault);
+}

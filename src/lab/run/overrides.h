@@ -1,0 +1,15 @@
+/// Overrides of a scene as texts, KEY=VALUE, one after the other.
+#ifndef BALLOON_LAB_RUN_OVERRIDES_H
+#define BALLOON_LAB_RUN_OVERRIDES_H
+
+enum { OVERRIDES_MOST = 48 };
+
+typedef struct Overrides {
+    char text[OVERRIDES_MOST][256];
+    int count;
+} Overrides;
+
+/// Add one, as printf has it.
+void overrides_add(Overrides* sets, const char* format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

@@ -1,0 +1,70 @@
+#include "lab/run/plot.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+enum { SHELL_FINDS_NONE = 127 }; ///< exit status where a command does not exist
+
+bool plot_folder(const char* folder, Fault* fault) {
+    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
+        return fault_set(fault, folder, "this folder cannot be made: %s", strerror(errno));
+    return true;
+}
+
+bool plot_open(Plot* plot, const char* folder, const char* name, int width, int height,
+               Fault* fault) {
+    *plot = (Plot){0};
+    snprintf(plot->folder, sizeof plot->folder, "%s", folder);
+    snprintf(plot->name, sizeof plot->name, "%s", name);
+    snprintf(plot->file, sizeof plot->file, "%s/%s.gp", folder, name);
+    plot->script = fopen(plot->file, "w");
+    if (!plot->script)
+        return fault_set(fault, plot->file, "cannot be written: %s", strerror(errno));
+
+    // one body for both pictures; gnuplot has no other way to name it twice
+    fprintf(plot->script,
+            "# gnuplot %s.gp\n"
+            "set datafile separator ','\n"
+            "do for [picture in 'svg png'] {\n"
+            "if (picture eq 'svg') {\n"
+            "set terminal svg size %d,%d dynamic font 'sans,14' background 'white'\n"
+            "} else {\n"
+            "set terminal pngcairo size %d,%d font 'sans,11'\n"
+            "}\n"
+            "set output '%s.'.picture\n",
+            name, width, height, width, height, name);
+    return true;
+}
+
+/// gnuplot goes to the folder and loads the script there. A quote in a name is doubled.
+static void load(const Plot* plot, FILE* gnuplot) {
+    fprintf(gnuplot, "cd '");
+    for (const char* c = plot->folder; *c; c++)
+        fprintf(gnuplot, *c == '\'' ? "''" : "%c", *c);
+    fprintf(gnuplot, "'\nload '%s.gp'\n", plot->name);
+}
+
+bool plot_close(Plot* plot, Fault* fault) {
+    fprintf(plot->script, "unset output\n}\n");
+    const bool whole = !ferror(plot->script);
+    if (fclose(plot->script) != 0 || !whole)
+        return fault_set(fault, plot->file, "cannot be written: %s", strerror(errno));
+
+    // a gnuplot that ends early is an error of ours to report, not a signal to die of
+    signal(SIGPIPE, SIG_IGN);
+    FILE* gnuplot = popen("command -v gnuplot >/dev/null || exit 127; exec gnuplot -", "w");
+    if (!gnuplot)
+        return fault_set(fault, plot->file, "no pipe to gnuplot: %s", strerror(errno));
+    load(plot, gnuplot);
+    const int status = pclose(gnuplot);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == SHELL_FINDS_NONE)
+        return fault_set(
+            fault, plot->file,
+            "charts need gnuplot (apt-get install gnuplot-nox); the numbers are there");
+    if (status != 0)
+        return fault_set(fault, plot->file, "gnuplot does not draw this");
+    return true;
+}

@@ -1,0 +1,70 @@
+#include "lab/run/refinement.h"
+
+#include <string.h>
+
+#include "mesh/load.h"
+#include "mesh/shape.h"
+
+enum { NAME_MOST = 96 };
+
+static bool moved(const Shape* shape, int level, int* n, int least, int most) {
+    if (strcmp(shape->name, "icosphere") == 0)
+        *n += level;
+    else if (level < 0)
+        *n >>= -level;
+    else
+        *n <<= level;
+    return *n >= least && *n <= most;
+}
+
+/// The shape's name at another level; false where there is none.
+static bool name_at(const char* model, int level, char name[NAME_MOST]) {
+    const Shape* shape = shape_find(model);
+    const char* colon = strchr(model, ':');
+    int n[2];
+    if (!shape || !colon || level == 0)
+        return false;
+    sscanf(colon, ":%dx%d", &n[0], &n[1]);
+    for (int k = 0; k < shape->numbers; k++)
+        if (!moved(shape, level, &n[k], shape->least[k], shape->most[k]))
+            return false;
+    snprintf(name, NAME_MOST, shape->numbers == 1 ? "%s:%d" : "%s:%dx%d", shape->name, n[0], n[1]);
+    return true;
+}
+
+/// How many points a shape has; it is one of the table's.
+static int points_of(const char* model) {
+    Mesh mesh = {0};
+    MeshReport report = {0};
+    Fault unused = {0};
+    const int count = mesh_load(model, &mesh, &report, &unused) ? mesh.point_count : 0;
+    mesh_free(&mesh);
+    return count;
+}
+
+/// A number that names a particle is of one mesh.
+static bool is_tied_by_number(const BalloonDef* balloon) {
+    for (unsigned s = 0; s < balloon->strings_count; s++)
+        if (balloon->strings[s].at && strspn(balloon->strings[s].at, "0123456789") > 0)
+            return true;
+    return false;
+}
+
+bool refinement_add(const World* world, int level, Overrides* sets) {
+    const int before = sets->count;
+    for (unsigned b = 0; b < world->def.balloons_count; b++) {
+        const BalloonDef* balloon = &world->def.balloons[b];
+        char name[NAME_MOST];
+        if (is_tied_by_number(balloon) || !name_at(balloon->model, level, name))
+            continue;
+        const double share = (double)world->balloon[b].body.count / points_of(name);
+        overrides_add(sets, "balloons.%u.model=%s", b, name);
+        if (balloon->mass)
+            overrides_add(sets, "balloons.%u.mass.per_particle=%.17g", b,
+                          share * balloon->mass->per_particle);
+        if (balloon->damping && balloon->damping->coefficient > 0)
+            overrides_add(sets, "balloons.%u.damping.coefficient=%.17g", b,
+                          share * balloon->damping->coefficient);
+    }
+    return sets->count > before;
+}

@@ -1,0 +1,128 @@
+#include "lab/run/report.h"
+
+#include <math.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "base/memory.h"
+
+enum { HASH_DIGITS = 16 };
+
+static int count_of(const char* text, char c) {
+    int count = 0;
+    for (; *text; text++)
+        count += *text == c;
+    return count;
+}
+
+/// The next line of a text, which it ends with a zero; NULL after the last.
+static char* next_line(char** text) {
+    char* line = *text;
+    if (!*line)
+        return NULL;
+    char* end = strchr(line, '\n');
+    *text = end ? end + 1 : line + strlen(line);
+    if (end)
+        *end = '\0';
+    return line;
+}
+
+static void read_names(Report* report, char* line) {
+    report->columns = count_of(line, ',') + 1;
+    report->name = new_array(char*, report->columns);
+    for (int c = 0; c < report->columns; c++) {
+        report->name[c] = line;
+        line += strcspn(line, ",");
+        if (*line)
+            *line++ = '\0';
+    }
+}
+
+/// A row has a number in each column; what else is printed has not.
+static bool read_row(const Report* report, const char* line, double* value) {
+    for (int c = 0; c < report->columns; c++) {
+        char* end;
+        value[c] = strtod(line, &end);
+        if (end == line || *end != (c + 1 < report->columns ? ',' : '\0'))
+            return false;
+        line = end + 1;
+    }
+    return true;
+}
+
+static void read_result(Report* report, const char* line) {
+    const char* time = strstr(line, " CPU time for ");
+    const char* ms = time ? strstr(time, ": ") : NULL;
+    if (ms)
+        report->ms = strtod(ms + 2, NULL);
+    else if (strlen(line) == HASH_DIGITS && strspn(line, "0123456789abcdef") == HASH_DIGITS)
+        snprintf(report->hash, sizeof report->hash, "%s", line);
+}
+
+static int parts_in(const char* said) {
+    const char words[] = "each is made in ";
+    int most = 1;
+    while ((said = strstr(said, words))) {
+        said += sizeof words - 1;
+        const int parts = atoi(said);
+        most = parts > most ? parts : most;
+    }
+    return most;
+}
+
+void report_read(Report* report, const Launch* launch) {
+    *report = (Report){.ms = (double)NAN, .text = new_array(char, strlen(launch->out) + 1)};
+    strcpy(report->text, launch->out);
+    report->ended = WIFEXITED(launch->status) && WEXITSTATUS(launch->status) == 0;
+    report->parts = parts_in(launch->err);
+    const int lines = count_of(report->text, '\n');
+    char *text = report->text, *line;
+    while ((line = next_line(&text))) {
+        if (!report->name && strncmp(line, "t,", 2) == 0) {
+            read_names(report, line);
+            report->value = new_array(double, lines * report->columns);
+        } else if (report->name &&
+                   read_row(report, line, report->value + report->rows * report->columns)) {
+            report->rows++;
+        } else {
+            read_result(report, line);
+        }
+    }
+}
+
+static int column_of(const Report* report, const char* name) {
+    for (int c = 0; c < report->columns; c++)
+        if (strcmp(report->name[c], name) == 0)
+            return c;
+    return -1;
+}
+
+double report_at(const Report* report, const char* column, int row) {
+    const int c = column_of(report, column);
+    if (row < 0)
+        row += report->rows;
+    return c >= 0 && row >= 0 && row < report->rows ? report->value[row * report->columns + c]
+                                                    : (double)NAN;
+}
+
+double report_at_time(const Report* report, const char* column, double t) {
+    int nearest = 0;
+    for (int r = 1; r < report->rows; r++)
+        if (fabs(report_at(report, "t", r) - t) < fabs(report_at(report, "t", nearest) - t))
+            nearest = r;
+    return report_at(report, column, nearest);
+}
+
+double report_output(const Launch* launch, const AboutDef* about) {
+    char words[160];
+    snprintf(words, sizeof words, "%s at %g s: ", about->output, about->at);
+    const char* found = strstr(launch->out, words);
+    return found ? strtod(found + strlen(words), NULL) : (double)NAN;
+}
+
+void report_free(Report* report) {
+    free(report->name);
+    free(report->value);
+    free(report->text);
+    *report = (Report){0};
+}

@@ -1,0 +1,317 @@
+#include "lab/stability/trial.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/random.h"
+#include "force/tangent.h"
+
+const double trial_precision = 1e-3;
+
+const char* const verdict_name[VERDICTS] = {"stable", "wobbling", "exploded"};
+
+// --- of the definition ---
+static const double push_size =
+    sizeof(real) == sizeof(double) ? 1e-6 : 1e-4; ///< [balloon's size]; float rounds to 6e-8
+enum { TRIAL_STEPS = 2000 };
+static const double explosion = 10; ///< [first energy]
+/// Just below its limit, euler's undamped energy beats with the amplitude 1/(1 - h w/2), which is
+/// no growth: a search for the limit goes on to here. [first energy]
+static const double beyond = 1e4;
+
+// --- of the measurement ---
+/// What still moves in a long step is at rest; of float, more than its rounding. [push]
+static const double still = sizeof(real) == sizeof(double) ? 1e-4 : 5e-2;
+/// Every mode has more than this of the first energy: what is left then decays too. [1]
+static const double spent = 1e-4;
+/// Growth of ln e in the fitted half that is not told from zero, and the part of its variance that
+/// a line must explain: undamped modes beat without growing. [1]
+static const double told = 0.1, line = 0.5;
+/// [steps] of a run that looks for the limit. Damped, the fastest mode leaves the unit circle in
+/// proportion to what the step is too long by (`forward`: a hundredth of gamma h for each per
+/// cent); undamped, with its square root.
+enum { DAMPED_STEPS = 40000, UNDAMPED_STEPS = 4000, SAMPLE_EVERY = 10 };
+
+enum { RELAX_MOST = 400, ROUNDS_MOST = 4000, ROUNDS = 64, SETS_MOST = 16 };
+
+static double potential(const Body* body) {
+    double sum = 0;
+    for (int k = 0; k < force_count; k++)
+        if (force_table[k]->energy && force_table[k]->present(body))
+            sum += force_table[k]->energy(body);
+    return sum;
+}
+
+static double kinetic(const Body* body) {
+    double sum = 0;
+    for (int i = 0; i < body->count; i++)
+        sum += 0.5 * (double)body->mass[i] * ddot(to_double4(body->v[i]), to_double4(body->v[i]));
+    return sum;
+}
+
+static bool load(WorldDef* def, const char* scene, const SceneSet* set, int set_count,
+                 const char* method, Fault* fault) {
+    char word[64];
+    SceneSet all[SETS_MOST + 4] = {{"guard='off'"}, {"gravity=0"}, {"solver.tolerance=1e-12"}};
+    snprintf(word, sizeof word, "method=%s", method);
+    int count = 3;
+    all[count++].text = word;
+    ASSERT(set_count <= SETS_MOST, "more overrides than a case of the lab has");
+    for (int k = 0; k < set_count; k++)
+        all[count++] = set[k];
+    return scene_load(scene, all, count, def, fault);
+}
+
+/// A long step of backward Euler from rest, so that not even a spin is left: the world comes to
+/// where no net force is left.
+static bool relax(Trial* trial, Fault* fault) {
+    World* world = &trial->calm;
+    const Body* body = &world->balloon[0].body;
+    world->step = 0.1;
+    world_step(world);
+    double most = 0;
+    for (int i = 0; i < body->count; i++)
+        most = fmax(most, (double)length(body->v[i]));
+    memset(body->v, 0, (size_t)body->count * sizeof *body->v);
+    trial->rested = most * world->step <= still * push_size * body->size;
+    if (trial->rested || (++trial->done < RELAX_MOST && !world->blowup.halted))
+        return true;
+    return fault_set(fault, world->def.file, "the balloon does not come to rest");
+}
+
+static void begin_fastest(Trial* trial) {
+    Body* body = &trial->calm.balloon[0].body;
+    tangent_open(&trial->tangent, body);
+    tangent_ready(&trial->tangent, body, 1, false);
+    trial->mode = new_array(real4, body->count);
+    trial->image = new_array(real4, body->count);
+    Random random = {7};
+    for (int i = 0; i < body->count; i++)
+        for (int k = 0; k < 3; k++)
+            trial->mode[i][k] = (real)(random_next(&random) - 0.5);
+    trial->w2 = 0;
+    trial->done = 0;
+}
+
+/// Largest eigenvalue of M^-1 K at the present positions: a round of power iteration. True when it
+/// stands still.
+static bool fastest(Trial* trial) {
+    const Body* body = &trial->calm.balloon[0].body;
+    real4 *mode = trial->mode, *image = trial->image;
+    double norm = 0;
+    for (int i = 0; i < body->count; i++)
+        norm += (double)body->mass[i] * ddot(to_double4(mode[i]), to_double4(mode[i]));
+    for (int i = 0; i < body->count; i++)
+        mode[i] *= (real)(1 / sqrt(norm));
+    tangent_multiply(&trial->tangent, body, 1, mode, image);
+    const double last = trial->done == 0 ? -1 : trial->w2;
+    trial->w2 = 0;
+    for (int i = 0; i < body->count; i++) {
+        trial->w2 += ddot(to_double4(mode[i]), to_double4(image[i]));
+        mode[i] = image[i] * body->inverse_mass[i];
+    }
+    return ++trial->done == ROUNDS_MOST || !(fabs(trial->w2 - last) > 1e-14 * trial->w2);
+}
+
+static void end_preparation(Trial* trial) {
+    if (trial->mode)
+        tangent_close(&trial->tangent);
+    free(trial->mode);
+    free(trial->image);
+    trial->mode = trial->image = NULL;
+    world_close(&trial->calm);
+}
+
+static double damping_rate(const Body* body) {
+    double rate = 0;
+    for (int i = 0; i < body->count; i++)
+        rate = fmax(rate, body_drag(body, i) * (double)body->inverse_mass[i]);
+    return rate;
+}
+
+bool trial_begin(Trial* trial, WorldDef* calm, WorldDef* def, Fault* fault) {
+    *trial = (Trial){0};
+    const bool good =
+        world_open(&trial->calm, calm, fault) && world_open(&trial->world, def, fault);
+    scene_free(def);
+    if (!good)
+        trial_close(trial);
+    return good;
+}
+
+bool trial_prepare(Trial* trial, bool* ready, Fault* fault) {
+    *ready = false;
+    if (!trial->rested) {
+        if (!relax(trial, fault))
+            return false;
+        if (trial->rested)
+            begin_fastest(trial);
+        return true;
+    }
+    for (int round = 0; round < ROUNDS && !*ready; round++)
+        *ready = fastest(trial);
+    if (!*ready)
+        return true;
+
+    Body* body = &trial->calm.balloon[0].body;
+    trial->rest = new_array(real4, body->count);
+    memcpy(trial->rest, body->x, (size_t)body->count * sizeof *body->x);
+    trial->potential = potential(body);
+    trial->gamma = damping_rate(body);
+    end_preparation(trial);
+    return true;
+}
+
+bool trial_open(Trial* trial, const char* scene, const SceneSet* set, int set_count,
+                const Method* method, const char** refused, Fault* fault) {
+    WorldDef calm, def;
+    *trial = (Trial){0};
+    *refused = NULL;
+    bool good = load(&calm, scene, set, set_count, method_newton.name, fault) &&
+                world_open(&trial->calm, &calm, fault);
+    if (good && method->refuses)
+        *refused = method->refuses(&trial->calm.balloon[0].body);
+    good = good && !*refused && load(&def, scene, set, set_count, method->name, fault) &&
+           world_open(&trial->world, &def, fault);
+    bool ready = false;
+    while (good && !ready)
+        good = trial_prepare(trial, &ready, fault);
+    if (!good)
+        trial_close(trial);
+    return good;
+}
+
+/// The state that every run begins with.
+static void push(Trial* trial, double h) {
+    World* world = &trial->world;
+    world_reset(world);
+    world->step = h;
+    Body* body = &world->balloon[0].body;
+    Random random = {12345};
+    const double far = push_size * body->size;
+    const double fast = trial->gamma > 0 ? far * sqrt(trial->w2) : 0;
+    for (int i = 0; i < body->count; i++)
+        for (int k = 0; k < 3; k++) {
+            body->x[i][k] = trial->rest[i][k] + (real)(far * (2 * random_next(&random) - 1));
+            body->v[i][k] = (real)(fast * (2 * random_next(&random) - 1));
+        }
+}
+
+static void fit_add(TrialFit* fit, double n, double y) {
+    fit->count++;
+    fit->n += n;
+    fit->n2 += n * n;
+    fit->y += y;
+    fit->y2 += y * y;
+    fit->ny += n * y;
+}
+
+/// Slope of the line, and the part of the points' variance that it explains.
+static double fit_slope(const TrialFit* fit, double* explained) {
+    const double nn = fit->count * fit->n2 - fit->n * fit->n,
+                 yy = fit->count * fit->y2 - fit->y * fit->y,
+                 ny = fit->count * fit->ny - fit->n * fit->y;
+    *explained = ny * ny / (nn * yy);
+    return ny / nn;
+}
+
+static double given(const Trial* trial) {
+    const Body* body = &trial->world.balloon[0].body;
+    return kinetic(body) + potential(body) - trial->potential;
+}
+
+static void start(Trial* trial, double h, int steps, double most) {
+    push(trial, h);
+    trial->h = h;
+    trial->steps = steps;
+    trial->most = most;
+    trial->made = 0;
+    trial->first = given(trial);
+    trial->later = (TrialFit){0};
+}
+
+void trial_start(Trial* trial, double h) {
+    start(trial, h, TRIAL_STEPS, explosion);
+}
+
+/// Follow the energy to `most` times what it was at first.
+bool trial_follow(Trial* trial, int steps, Verdict* verdict, double* growth) {
+    World* world = &trial->world;
+    const double first = trial->first, h = trial->h;
+    for (int k = 0; k < steps && trial->made < trial->steps; k++) {
+        world_step(world);
+        const int n = ++trial->made;
+        if (n % SAMPLE_EVERY && !world->blowup.halted)
+            continue;
+        const double now = given(trial);
+        const bool grown = world->blowup.halted || !(now < trial->most * first);
+        if (grown || now < spent * first) {
+            *growth = log(fabs(now / first)) / (n * h);
+            *verdict = grown ? VERDICT_EXPLODED : VERDICT_STABLE;
+            return true;
+        }
+        if (n > trial->steps / 2)
+            fit_add(&trial->later, n, log(now / first));
+    }
+    if (trial->made < trial->steps)
+        return false;
+    double explained;
+    const double slope = fit_slope(&trial->later, &explained);
+    *growth = slope / h;
+    const bool grows = slope * (trial->steps / 2) > told && explained > line;
+    *verdict = grows ? VERDICT_WOBBLING : VERDICT_STABLE;
+    return true;
+}
+
+static Verdict follow(Trial* trial, double* growth) {
+    Verdict verdict = VERDICT_STABLE;
+    while (!trial_follow(trial, trial->steps, &verdict, growth))
+        ;
+    return verdict;
+}
+
+Verdict trial_run(Trial* trial, double h, double* growth) {
+    trial_start(trial, h);
+    return follow(trial, growth);
+}
+
+static bool is_stable(Trial* trial, double h) {
+    double growth;
+    start(trial, h, trial->gamma > 0 ? DAMPED_STEPS : UNDAMPED_STEPS, beyond);
+    return follow(trial, &growth) == VERDICT_STABLE;
+}
+
+double trial_limit(Trial* trial) {
+    const double scale = 2 / sqrt(trial->w2), least = scale / 100, most = scale * 100;
+    if (!is_stable(trial, least))
+        return 0;
+    double stable = least, wild = least;
+    do {
+        stable = wild;
+        wild = 4 * stable;
+        if (wild > most)
+            return INFINITY;
+    } while (is_stable(trial, wild));
+    while (wild - stable > trial_precision * stable) {
+        const double middle = (stable + wild) / 2;
+        *(is_stable(trial, middle) ? &stable : &wild) = middle;
+    }
+    return stable;
+}
+
+double trial_theory(const Trial* trial) {
+    return trial->world.method->limit(trial->w2, trial->gamma);
+}
+
+double trial_bound(Trial* trial) {
+    push(trial, trial->world.step);
+    return method_bound(trial->world.method, &trial->world.balloon[0].body);
+}
+
+void trial_close(Trial* trial) {
+    end_preparation(trial);
+    world_close(&trial->world);
+    free(trial->rest);
+    *trial = (Trial){0};
+}

@@ -1,0 +1,24 @@
+/// Where a function of one variable is zero, to rounding.
+#ifndef BALLOON_LAB_TRUTH_ROOT_H
+#define BALLOON_LAB_TRUTH_ROOT_H
+
+/// A function of x with what else it needs to know.
+typedef double (*RootFunction)(const void* self, double x);
+
+/// The x between low and high where f changes sign, by bisection until no double lies between the
+/// two ends: about 55 evaluations, no tolerance and no start to choose. f(low) and f(high) differ
+/// in sign, or one of them is zero.
+static inline double root_between(RootFunction f, const void* self, double low, double high) {
+    const int falls = f(self, low) > f(self, high);
+    for (;;) {
+        const double middle = low + (high - low) / 2;
+        if (middle <= low || middle >= high)
+            return middle;
+        if ((f(self, middle) > 0) == falls)
+            low = middle;
+        else
+            high = middle;
+    }
+}
+
+#endif

@@ -1,0 +1,141 @@
+#include "scene/scene.h"
+
+#include <errno.h>
+#include <locale.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "scene/scene_find.h"
+#include "scene/scene_judge.h"
+#include "scene/scene_rules.h"
+#include "scene/scene_schema.h"
+#include "scene/scene_tree.h"
+
+enum { SCENE_BYTES_MOST = 1 << 18 }; ///< [bytes] some hundred balloons
+
+// libcyaml's first error: later ones are its backtrace.
+static void keep_first(cyaml_log_t level, void* context, const char* format, va_list arguments) {
+    Fault* error = context;
+    (void)level;
+    if (!error->text[0])
+        vsnprintf(error->text, sizeof error->text, format, arguments);
+}
+
+static cyaml_config_t config(Fault* error) {
+    return (cyaml_config_t){
+        .log_fn = keep_first, .log_ctx = error, .mem_fn = cyaml_mem, .log_level = CYAML_LOG_ERROR};
+}
+
+static bool read_stream(FILE* in, const char* path, char* text, size_t* size, Fault* fault) {
+    *size = fread(text, 1, SCENE_BYTES_MOST + 1, in);
+    if (ferror(in))
+        return fault_set(fault, path, "it cannot be read: %s", strerror(errno));
+    if (*size > SCENE_BYTES_MOST)
+        return fault_set(fault, path, "a scene has at most %d bytes", SCENE_BYTES_MOST);
+    return true;
+}
+
+static bool read_file(const char* path, char** text, size_t* size, Fault* fault) {
+    FILE* in = fopen(path, "rb");
+    if (!in)
+        return fault_set(fault, path, "it cannot be opened: %s", strerror(errno));
+    *text = new_array(char, SCENE_BYTES_MOST + 1);
+    const bool good = read_stream(in, path, *text, size, fault);
+    fclose(in);
+    return good;
+}
+
+// The tree of a scene's file, or of the scene that a bare mesh gets.
+static bool read_tree(const SceneSource* source, SceneTree* tree, Fault* fault) {
+    if (source->model[0])
+        return tree_parse(tree, mesh_scene, strlen(mesh_scene), fault) &&
+               tree_set_text(tree, "balloons.0.model", source->model, fault);
+
+    char* text = NULL;
+    size_t size = 0;
+    const bool good =
+        read_file(source->file, &text, &size, fault) && tree_parse(tree, text, size, fault);
+    free(text);
+    if (good && !tree_node(tree, TREE_ROOT))
+        return fault_set(fault, source->file, "this scene is empty; it needs a step and balloons");
+    return good;
+}
+
+static bool set_all(SceneTree* tree, int set_count, Fault* fault) {
+    for (int i = 0; i < set_count; i++)
+        if (!tree_set(tree, i, fault))
+            return false;
+    return true;
+}
+
+static bool fill(const SceneTree* tree, WorldDef* def, Fault* fault) {
+    size_t size;
+    Fault error = {0};
+    char* text = tree_text(tree, false, &size);
+    const cyaml_config_t how = config(&error);
+    const cyaml_err_t result =
+        cyaml_load_data((const uint8_t*)text, size, &how, scene_schema(), &def->loaded, NULL);
+    free(text);
+    if (result != CYAML_OK)
+        return fault_set(fault, tree->file, "%s: %s", cyaml_strerror(result), error.text);
+
+    void* loaded = def->loaded;
+    *def = *(WorldDef*)loaded;
+    def->loaded = loaded;
+    snprintf(def->file, sizeof def->file, "%s", tree->file);
+    return true;
+}
+
+// The whole way from a name to a def, in a locale in which numbers have a point. text: the scene as
+// it then is, or NULL.
+static bool load(const char* name, const SceneSet* set, int set_count, bool for_people, char** text,
+                 WorldDef* def, Fault* fault) {
+    SceneSource source;
+    if (!scene_find(name, &source, fault))
+        return false;
+
+    SceneTree tree = {.file = source.file, .numbered = !source.model[0], .set = set};
+    const bool good = read_tree(&source, &tree, fault) && set_all(&tree, set_count, fault) &&
+                      judge_scene(&tree, fault) && fill(&tree, def, fault) &&
+                      rules_hold(def, &tree, fault);
+    size_t size;
+    if (good && text)
+        *text = tree_text(&tree, for_people, &size);
+    tree_free(&tree);
+    if (!good)
+        scene_free(def);
+    return good;
+}
+
+static bool load_with_points(const char* name, const SceneSet* set, int set_count, bool for_people,
+                             char** text, WorldDef* def, Fault* fault) {
+    *def = (WorldDef){0};
+    const locale_t point = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
+    ASSERT(point, "every system has the C locale");
+    const locale_t before = uselocale(point);
+    const bool good = load(name, set, set_count, for_people, text, def, fault);
+    uselocale(before);
+    freelocale(point);
+    return good;
+}
+
+bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault) {
+    return load_with_points(name, set, set_count, false, NULL, def, fault);
+}
+
+char* scene_text(const char* name, const SceneSet* set, int set_count, bool for_people,
+                 Fault* fault) {
+    WorldDef def;
+    char* text = NULL;
+    if (load_with_points(name, set, set_count, for_people, &text, &def, fault))
+        scene_free(&def);
+    return text;
+}
+
+void scene_free(WorldDef* def) {
+    Fault unused = {0};
+    const cyaml_config_t how = config(&unused);
+    cyaml_free(&how, scene_schema(), def->loaded, 0);
+    *def = (WorldDef){0};
+}
