@@ -1,6 +1,6 @@
-// One way of a blur: wide in red, for the glow, and narrow in green, for where the shape is.
+// One axis of a blur: wide in red, for the glow, and narrow in green, for where the shape is.
 uniform sampler2D shape;
-uniform vec2 way; // one pixel along the way
+uniform vec2 direction; // one pixel along the axis
 
 in vec2 at;
 out vec4 color;
@@ -10,7 +10,7 @@ void main() {
     vec2 sum = vec2(0.0), weights = vec2(0.0);
     for (int i = -5; i <= 5; i++) {
         vec2 weight = exp(vec2(-0.10, -0.5) * float(i * i));
-        sum += weight * texture(shape, uv + float(i) * way).rg;
+        sum += weight * texture(shape, uv + float(i) * direction).rg;
         weights += weight;
     }
     color = vec4(sum / weights, 0.0, 1.0);

@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
         }
     }
 
-    open_arguments = argv;
+    cli_arguments = argv;
     Options options = {0};
     const char* word;
     Fault fault = {0};

@@ -8,17 +8,17 @@
 
 static const double auto_budget = 8; ///< half a frame, the other half draws [ms]
 
-char** open_arguments;
+char** cli_arguments;
 
-bool open_other(const char* program, Fault* fault) {
+bool cli_other_precision(const char* program, Fault* fault) {
     char path[512];
     if (!paths_sibling(program, path, fault))
         return false;
-    execv(path, open_arguments);
+    execv(path, cli_arguments);
     return fault_set(fault, path, "cannot be started: %s", strerror(errno));
 }
 
-bool open_advice(const Options* options, AdviseOptions* advise, Fault* fault) {
+bool cli_open_advice(const Options* options, AdviseOptions* advise, Fault* fault) {
     *advise = (AdviseOptions){.scene = options->target ? options->target : "party",
                               .set = options->set,
                               .set_count = options->set_count,
@@ -34,7 +34,7 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
     memcpy(sets->set, options->set, sizeof options->set);
     if (options->advised) {
         AdviseOptions advise;
-        if (!open_advice(options, &advise, fault))
+        if (!cli_open_advice(options, &advise, fault))
             return false;
         if (advise.error == 0 && advise.ms == 0)
             advise.ms = auto_budget;
@@ -63,17 +63,17 @@ static bool open_copy(const Options* options, const char* method, Sets* sets, Wo
     const bool is_double = sizeof(real) == sizeof(double);
     if (def.precision != PRECISION_ANY && (def.precision == PRECISION_DOUBLE) != is_double) {
         scene_free(&def);
-        return open_other(is_double ? "balloon" : "balloon-double", fault);
+        return cli_other_precision(is_double ? "balloon" : "balloon-double", fault);
     }
     return world_open(world, &def, fault);
 }
 
-bool open_world(const Options* options, World* world, Fault* fault) {
+bool cli_open_world(const Options* options, World* world, Fault* fault) {
     Sets sets;
     return open_copy(options, NULL, &sets, world, fault);
 }
 
-bool open_pair(const Options* options, Sets* sets, World* world, Ghost* ghost, Fault* fault) {
+bool cli_open_pair(const Options* options, Sets* sets, World* world, Ghost* ghost, Fault* fault) {
     Sets other;
     if (!open_copy(options, NULL, sets, world, fault))
         return false;

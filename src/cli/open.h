@@ -6,13 +6,13 @@
 #include "lab/advice/advise.h"
 #include "show/ghost.h"
 
-extern char** open_arguments; ///< as main got them, for a hand-over to the other precision
+extern char** cli_arguments; ///< as main got them, for a hand-over to the other precision
 
 /// The other precision is another program; it reads the same command line again. Returns only with
 /// a fault.
-bool open_other(const char* program, Fault* fault);
+bool cli_other_precision(const char* program, Fault* fault);
 
-bool open_advice(const Options* options, AdviseOptions* advise, Fault* fault);
+bool cli_open_advice(const Options* options, AdviseOptions* advise, Fault* fault);
 
 /// The scene's overrides, with those of advice and one more where there is one.
 typedef struct Sets {
@@ -23,9 +23,9 @@ typedef struct Sets {
 } Sets;
 
 /// Read the scene and open its world.
-bool open_world(const Options* options, World* world, Fault* fault);
+bool cli_open_world(const Options* options, World* world, Fault* fault);
 
 /// The world, and with --compare its ghost; both are closed by the caller. sets: the world's.
-bool open_pair(const Options* options, Sets* sets, World* world, Ghost* ghost, Fault* fault);
+bool cli_open_pair(const Options* options, Sets* sets, World* world, Ghost* ghost, Fault* fault);
 
 #endif

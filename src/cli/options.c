@@ -25,7 +25,7 @@ static const Option option_table[] = {
     {"--out",       "PATH",     "render: a folder for frames, or a .png, .mp4, .webm, .gif; out", TEXT(out)},
     {"--mode",      "NAME",     "display mode; see balloon list",                  TEXT(mode)},
     {"--overlay",   NULL,       "render: pictures with the status box",            FLAG(overlay)},
-    {"--lab",       NULL,       "play, render: pictures with the lab's page",     FLAG(lab)},
+    {"--lab",       NULL,       "play, render: pictures with the lab's panel",     FLAG(lab)},
     {"--input",     "FILE",     "replay an input log",                             TEXT(input)},
     {"--record",    "FILE",     "write the session's input log",                   TEXT(record)},
     {"--csv",       "FILE",     "numbers, one row a frame; - for standard output", TEXT(csv)},
@@ -59,10 +59,10 @@ void options_print(void) {
                option_table[k].value ? option_table[k].value : "", option_table[k].about);
 }
 
-bool options_number(const char* text, const char* option, double given, double* value,
+bool options_number(const char* text, const char* option, double fallback, double* value,
                     Fault* fault) {
     char* end;
-    *value = text ? strtod(text, &end) : given;
+    *value = text ? strtod(text, &end) : fallback;
     if (text && (end == text || *end || !isfinite(*value) || *value <= 0))
         return fault_set(fault, option, "'%s' is not a number above 0", text);
     return true;
@@ -79,7 +79,7 @@ bool options_quantity(const char* text, const char* option, const char* unit, do
     return true;
 }
 
-static bool take_option(Options* options, const Option* option, const char* value, Fault* fault) {
+static bool apply_option(Options* options, const Option* option, const char* value, Fault* fault) {
     if (option->key) {
         if (options->set_count == SETS_MOST)
             return fault_set(fault, option->name, "at most %d of these", SETS_MOST);
@@ -122,7 +122,7 @@ bool options_read(int argc, char** argv, bool (*is_verb)(const char* word), Opti
             if (!option->value && equals)
                 return fault_set(fault, word, "takes no value");
             const char* value = !option->value ? NULL : equals ? equals + 1 : argv[++a];
-            if (!take_option(options, option, value, fault))
+            if (!apply_option(options, option, value, fault))
                 return false;
             continue;
         }

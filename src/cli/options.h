@@ -38,8 +38,8 @@ bool options_read(int argc, char** argv, bool (*is_verb)(const char* word), Opti
 
 void options_print(void);
 
-/// A number above 0 from an option's text, `given` where there is none.
-bool options_number(const char* text, const char* option, double given, double* value,
+/// A number above 0 from an option's text, `fallback` where there is none.
+bool options_number(const char* text, const char* option, double fallback, double* value,
                     Fault* fault);
 
 /// "1%", "0.01" or "4ms": a number and its unit, which is worth of_unit; 0 where there is no text.

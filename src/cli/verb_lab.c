@@ -30,12 +30,13 @@ bool verb_peer(const Options* options, Fault* fault) {
         return fault_set(fault, NULL, "Bullet in which scene? See balloon --help");
     if (options->csv && strcmp(options->csv, "-") != 0)
         return fault_set(fault, "--csv", "a peer prints its numbers; write --csv -");
-    if (!read_fit(options->fit, &peer.fit, fault) || !open_world(options, &world, fault))
+    if (!read_fit(options->fit, &peer.fit, fault) || !cli_open_world(options, &world, fault))
         return false;
-    const double given = world.def.seconds > 0 ? world.def.seconds : 10;
-    const bool good = options_number(options->seconds, "--seconds", given, &peer.seconds, fault) &&
-                      options_number(options->fps, "--fps", 60, &peer.fps, fault) &&
-                      peer_run(&world, &peer, options->csv ? stdout : NULL, fault);
+    const double fallback = world.def.seconds > 0 ? world.def.seconds : 10;
+    const bool good =
+        options_number(options->seconds, "--seconds", fallback, &peer.seconds, fault) &&
+        options_number(options->fps, "--fps", 60, &peer.fps, fault) &&
+        peer_run(&world, &peer, options->csv ? stdout : NULL, fault);
     if (good && options->hash)
         printf("%016llx\n", (unsigned long long)world_hash(&world));
     world_close(&world);
@@ -63,7 +64,7 @@ bool verb_bench(const Options* options, Fault* fault) {
 /// A push of 1e-6 needs a state of double.
 bool verb_stability(const Options* options, Fault* fault) {
     if (sizeof(real) != sizeof(double))
-        return open_other("balloon-double", fault);
+        return cli_other_precision("balloon-double", fault);
     return stability(options->out ? options->out : "out", options->quick, fault);
 }
 
@@ -101,5 +102,5 @@ bool verb_advise(const Options* options, Fault* fault) {
     if (!options->error == !options->budget)
         return fault_set(fault, options->target,
                          "say what you ask for: --error 1%% or --budget 4ms");
-    return open_advice(options, &advise, fault) && advise_run(&advise, fault);
+    return cli_open_advice(options, &advise, fault) && advise_run(&advise, fault);
 }

@@ -24,13 +24,13 @@ static bool show_options(const Options* options, const Sets* sets, const World* 
         (sscanf(options->size, "%dx%d", &show->width, &show->height) != 2 || show->width < 16 ||
          show->height < 16 || show->width > 16384 || show->height > 16384))
         return fault_set(fault, "--size", "'%s' is not a size such as 1280x720", options->size);
-    const double given = world->def.seconds > 0 ? world->def.seconds : 10;
-    return options_number(options->seconds, "--seconds", given, &show->seconds, fault) &&
+    const double fallback = world->def.seconds > 0 ? world->def.seconds : 10;
+    return options_number(options->seconds, "--seconds", fallback, &show->seconds, fault) &&
            options_number(options->fps, "--fps", 60, &show->fps, fault);
 }
 
 /// The hash if it is asked for; the world and its ghost are closed.
-static bool finish(const Options* options, World* world, Ghost* ghost, bool good) {
+static bool print_hash_and_close(const Options* options, World* world, Ghost* ghost, bool good) {
     if (good && options->hash)
         printf("%016llx\n", (unsigned long long)world_hash(world));
     world_close(world);
@@ -43,7 +43,7 @@ static bool show_pair(const Options* options, bool window, Fault* fault) {
     ShowOptions show;
     Ghost ghost = {0};
     Sets sets;
-    if (!open_pair(options, &sets, &world, &ghost, fault))
+    if (!cli_open_pair(options, &sets, &world, &ghost, fault))
         return false;
     bool good = show_options(options, &sets, &world, &ghost, &show, fault);
     if (window) {
@@ -52,7 +52,7 @@ static bool show_pair(const Options* options, bool window, Fault* fault) {
             show.seconds = 0;
     }
     good = good && (window ? show_play : show_render)(&world, &show, fault);
-    return finish(options, &world, &ghost, good);
+    return print_hash_and_close(options, &world, &ghost, good);
 }
 
 bool verb_play(const Options* options, Fault* fault) {
@@ -74,12 +74,12 @@ bool verb_run(const Options* options, Fault* fault) {
                               .time = options->time,
                               .ghost = options->compare ? &ghost : NULL,
                               .quiet = options->quiet};
-    if (!open_pair(options, &sets, &world, &ghost, fault))
+    if (!cli_open_pair(options, &sets, &world, &ghost, fault))
         return false;
-    const double given = world.def.seconds > 0 ? world.def.seconds : 10;
+    const double fallback = world.def.seconds > 0 ? world.def.seconds : 10;
     const bool good =
-        options_number(options->seconds, "--seconds", given, &run_options.seconds, fault) &&
+        options_number(options->seconds, "--seconds", fallback, &run_options.seconds, fault) &&
         options_number(options->fps, "--fps", 60, &run_options.fps, fault) &&
         run(&world, &run_options, fault);
-    return finish(options, &world, &ghost, good);
+    return print_hash_and_close(options, &world, &ghost, good);
 }

@@ -17,7 +17,7 @@ bool balls_open(Balls* balls, const char* shader_dir, Fault* fault) {
     return balls->program != 0;
 }
 
-void balls_take(Balls* balls, const Picture* picture) {
+void balls_upload(Balls* balls, const Picture* picture) {
     balls->count = picture->ball_count;
     if (balls->count == 0)
         return;

@@ -13,7 +13,7 @@ typedef struct Balls {
 } Balls;
 
 bool balls_open(Balls* balls, const char* shader_dir, Fault* fault);
-void balls_take(Balls* balls, const Picture* picture);
+void balls_upload(Balls* balls, const Picture* picture);
 void balls_draw(const Balls* balls);
 void balls_close(Balls* balls);
 

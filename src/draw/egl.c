@@ -1,7 +1,6 @@
 #include "draw/egl.h"
 
 #include <stddef.h>
-#include <stdio.h>
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -89,11 +88,4 @@ void egl_close_surfaceless(Egl* egl) {
     // forgets what it still holds, and leak checkers then blame code that is no longer there
     eglReleaseThread();
     *egl = (Egl){.display = EGL_NO_DISPLAY, .surface = EGL_NO_SURFACE, .context = EGL_NO_CONTEXT};
-}
-
-const char* egl_about(void) {
-    static char about[256];
-    snprintf(about, sizeof about, "OpenGL %s, %s", (const char*)glGetString(GL_VERSION),
-             (const char*)glGetString(GL_RENDERER));
-    return about;
 }

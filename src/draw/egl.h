@@ -17,7 +17,4 @@ typedef struct Egl {
 bool egl_open_surfaceless(Egl* egl, Fault* fault);
 void egl_close_surfaceless(Egl* egl);
 
-/// "OpenGL 3.3 … Mesa … llvmpipe", for --version and bug reports.
-const char* egl_about(void);
-
 #endif

@@ -19,10 +19,10 @@ bool floor_open(Floor* floor, const char* shader_dir, Fault* fault) {
     return floor->floor && floor->backdrop;
 }
 
-void floor_take(Floor* floor, const Picture* picture) {
-    if (!picture->floor || (picture->stamp != 0 && picture->stamp == floor->seen))
+void floor_upload(Floor* floor, const Picture* picture) {
+    if (!picture->floor || (picture->stamp != 0 && picture->stamp == floor->stamp))
         return;
-    floor->seen = picture->stamp;
+    floor->stamp = picture->stamp;
     shadow_cast(&floor->shadow, picture);
     glBindTexture(GL_TEXTURE_2D, floor->texture);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, SHADOW_SIDE, SHADOW_SIDE, GL_RGBA, GL_UNSIGNED_BYTE,

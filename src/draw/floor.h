@@ -8,7 +8,7 @@
 #include "draw/shadow.h"
 
 typedef struct Floor {
-    long seen;              ///< stamp of the picture whose shadow it is
+    long stamp;             ///< stamp of the picture whose shadow it is
     GLuint floor, backdrop; ///< programs
     GLuint empty;           ///< vertex array without attributes: shaders make the corners
     GLuint texture;         ///< the shadow map
@@ -17,7 +17,7 @@ typedef struct Floor {
 
 bool floor_open(Floor* floor, const char* shader_dir, Fault* fault);
 /// Cast the picture's shadow and hand it to the driver; nothing without a floor.
-void floor_take(Floor* floor, const Picture* picture);
+void floor_upload(Floor* floor, const Picture* picture);
 /// Fill all pixels that nothing has been drawn on.
 void floor_draw(const Floor* floor, const Picture* picture);
 void floor_close(Floor* floor);

@@ -34,7 +34,7 @@ bool glow_open(Glow* glow, int width, int height, const char* shader_dir, Fault*
     glow->mask = shader_load(shader_dir, "skin.vert", "glow_mask.frag", fault);
     glow->blur = shader_load(shader_dir, "screen.vert", "glow_blur.frag", fault);
     glow->lay = shader_load(shader_dir, "screen.vert", "glow_lay.frag", fault);
-    glow->way = glow->blur ? glGetUniformLocation(glow->blur, "way") : -1;
+    glow->direction = glow->blur ? glGetUniformLocation(glow->blur, "direction") : -1;
     glGenVertexArrays(1, &glow->empty);
     make_textures(glow, width, height);
     return glow->mask && glow->blur && glow->lay;
@@ -71,9 +71,9 @@ void glow_draw(const Glow* glow, const Skins* skins, GLuint onto) {
 
     // blurred along x, then along y
     glUseProgram(glow->blur);
-    glUniform2f(glow->way, 1 / (float)width, 0);
+    glUniform2f(glow->direction, 1 / (float)width, 0);
     fill(glow, glow->texture[0], glow->framebuffer[1]);
-    glUniform2f(glow->way, 0, 1 / (float)height);
+    glUniform2f(glow->direction, 0, 1 / (float)height);
     fill(glow, glow->texture[1], glow->framebuffer[0]);
 
     glViewport(0, 0, glow->width, glow->height);

@@ -5,12 +5,12 @@
 
 #include "draw/skins.h"
 
-enum { GLOW_SHRINK = 4 }; ///< pixels of the picture per pixel of the glow, each way
+enum { GLOW_SHRINK = 4 }; ///< pixels of the picture per pixel of the glow, each direction
 
 typedef struct Glow {
-    GLuint mask, blur, lay; ///< programs: the shape, one way of its blur, onto the picture
+    GLuint mask, blur, lay; ///< programs: the shape, one direction of its blur, onto the picture
     GLuint empty;           ///< vertex array without attributes
-    GLint way;              ///< uniform of `blur`: one pixel along its way
+    GLint direction;        ///< uniform of `blur`: one pixel along its direction
     GLuint framebuffer[2], texture[2];
     int width, height; ///< of the picture [px]
 } Glow;

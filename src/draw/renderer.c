@@ -69,15 +69,15 @@ void renderer_resize(Renderer* renderer, int width, int height) {
 }
 
 // The picture's arrays to the driver; returns the time that the floor's shadow took of it.
-static double take(Renderer* renderer, const Picture* picture) {
+static double upload(Renderer* renderer, const Picture* picture) {
     const FrameBlock block = frame_block(picture, renderer->target.width, renderer->target.height);
     frame_write(renderer->frame, &block);
-    balls_take(&renderer->balls, picture);
-    wires_take(&renderer->wires, picture);
-    skins_take(&renderer->skins, picture, block.eye);
+    balls_upload(&renderer->balls, picture);
+    wires_upload(&renderer->wires, picture);
+    skins_upload(&renderer->skins, picture, block.eye);
 
     const double start = now();
-    floor_take(&renderer->floor, picture);
+    floor_upload(&renderer->floor, picture);
     return now() - start;
 }
 
@@ -112,9 +112,9 @@ static void draw_see_through(const Renderer* renderer) {
 
 void renderer_draw(Renderer* renderer, const Picture* picture) {
     const double start = now();
-    const double shadow = take(renderer, picture);
+    const double shadow = upload(renderer, picture);
 
-    const double taken = now();
+    const double uploaded = now();
     target_begin(&renderer->target);
     draw_opaque(renderer, picture);
     draw_see_through(renderer);
@@ -124,9 +124,9 @@ void renderer_draw(Renderer* renderer, const Picture* picture) {
     glow_draw(&renderer->glow, &renderer->skins, renderer->target.resolved);
 
     const double done = now();
-    renderer->times = (RendererTimes){.upload = taken - start - shadow,
+    renderer->times = (RendererTimes){.upload = uploaded - start - shadow,
                                       .shadow = shadow,
-                                      .scene = drawn - taken,
+                                      .scene = drawn - uploaded,
                                       .resolve = done - drawn};
 }
 

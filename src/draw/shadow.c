@@ -49,7 +49,7 @@ void shadow_close(Shadow* shadow) {
 }
 
 // Add to the four points around (x, z), in cells of the finest grid.
-static void drop(float4* grid, int level, float x, float z, float4 amount) {
+static void splat(float4* grid, int level, float x, float z, float4 amount) {
     const float scale = 1.0f / (float)(1 << level);
     const float u = x * scale, v = z * scale;
     const int n = side(level);
@@ -71,25 +71,26 @@ static void bump(const Cast* cast, float x, float z, float radius, float4 amount
     const float fit = log2f(fmaxf(radius / BUMP, 1));
     const int level = fit < SHADOW_LEVELS - 2 ? (int)fit : SHADOW_LEVELS - 2;
     const float wider = fminf(fit - (float)level, 1);
-    drop(cast->shadow->level[level], level, x, z, (1 - wider) * amount);
-    drop(cast->shadow->level[level + 1], level + 1, x, z, wider * amount);
+    splat(cast->shadow->level[level], level, x, z, (1 - wider) * amount);
+    splat(cast->shadow->level[level + 1], level + 1, x, z, wider * amount);
 }
 
 // A piece of surface at p; sky and key: the areas [square units] that it shows to them.
-static void piece(const Cast* cast, const float p[3], float sky, float key, float4 taken) {
+static void cast_piece(const Cast* cast, const float p[3], float sky, float key, float4 absorbed) {
     const float height = fmaxf(p[1] - cast->floor, 0);
     const float x = (p[0] - cast->corner_x) * cast->per_unit;
     const float z = (p[2] - cast->corner_z) * cast->per_unit;
     const float h = height * cast->per_unit, cells = cast->per_unit * cast->per_unit;
 
     if (sky > 0)
-        bump(cast, x, z, SKY_SPREAD * h, SKY_SHARE * sky * cells * taken);
+        bump(cast, x, z, SKY_SPREAD * h, SKY_SHARE * sky * cells * absorbed);
     if (key > 0)
-        bump(cast, x - KEY_X * h, z - KEY_Z * h, KEY_SPREAD * h, KEY_SHARE * key * cells * taken);
+        bump(cast, x - KEY_X * h, z - KEY_Z * h, KEY_SPREAD * h,
+             KEY_SHARE * key * cells * absorbed);
 }
 
-static void triangle(const Cast* cast, const float* a, const float* b, const float* c,
-                     bool two_sided, float4 taken) {
+static void cast_triangle(const Cast* cast, const float* a, const float* b, const float* c,
+                          bool two_sided, float4 absorbed) {
     const float u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     const float v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
 
@@ -115,26 +116,26 @@ static void triangle(const Cast* cast, const float* a, const float* b, const flo
             const float t = (float)(3 * (j / 2) + 1 + j % 2) * third;
             const float p[3] = {a[0] + s * u[0] + t * v[0], a[1] + s * u[1] + t * v[1],
                                 a[2] + s * u[2] + t * v[2]};
-            piece(cast, p, share * sky, share * key, taken);
+            cast_piece(cast, p, share * sky, share * key, absorbed);
         }
 }
 
-static void skin(const Cast* cast, const PictureSkin* shape) {
-    float4 taken = {1, 1, 1, 0};
+static void cast_skin(const Cast* cast, const PictureSkin* shape) {
+    float4 absorbed = {1, 1, 1, 0};
     for (int i = 0; i < 3; i++)
-        taken[i] -= THROUGH * shape->color[i];
+        absorbed[i] -= THROUGH * shape->color[i];
     if (shape->paint == PAINT_FAINT)
-        taken *= FAINT;
+        absorbed *= FAINT;
 
     for (int i = 0; i < shape->triangle_count; i++) {
         const int* t = shape->triangle[i];
-        triangle(cast, shape->position[t[0]], shape->position[t[1]], shape->position[t[2]],
-                 shape->two_sided, taken);
+        cast_triangle(cast, shape->position[t[0]], shape->position[t[1]], shape->position[t[2]],
+                      shape->two_sided, absorbed);
     }
 }
 
 // The lower half of a ball, in rings of pieces of equal area.
-static void ball(const Cast* cast, const PictureBall* shape) {
+static void cast_ball(const Cast* cast, const PictureBall* shape) {
     enum { RINGS = 5, SPOKES = 10 };
     const float area = (float)PI * shape->radius * shape->radius / (RINGS * SPOKES);
     for (int i = 0; i < RINGS; i++) {
@@ -145,7 +146,7 @@ static void ball(const Cast* cast, const PictureBall* shape) {
             const float angle = 6.2831853f * ((float)j + 0.5f * (float)(i % 2)) / SPOKES;
             const float p[3] = {shape->center[0] + across * cosf(angle), shape->center[1] - below,
                                 shape->center[2] + across * sinf(angle)};
-            piece(cast, p, area, area, (float4){1, 1, 1, 0});
+            cast_piece(cast, p, area, area, (float4){1, 1, 1, 0});
         }
     }
 }
@@ -186,9 +187,9 @@ void shadow_cast(Shadow* shadow, const Picture* picture) {
         memset(shadow->level[k], 0, (size_t)(side(k) * side(k)) * sizeof(float4));
     for (int i = 0; i < picture->skin_count; i++)
         if (picture->skin[i].paint != PAINT_GHOST)
-            skin(&cast, &picture->skin[i]);
+            cast_skin(&cast, &picture->skin[i]);
     for (int i = 0; i < picture->ball_count; i++)
-        ball(&cast, &picture->ball[i]);
+        cast_ball(&cast, &picture->ball[i]);
 
     // from the widest to the finest
     for (int k = SHADOW_LEVELS - 1; k > 0; k--)

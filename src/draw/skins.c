@@ -39,7 +39,7 @@ bool skins_open(Skins* skins, const char* shader_dir, Fault* fault) {
 
 static void free_arrays(Skins* skins) {
     free(skins->point);
-    free(skins->away);
+    free(skins->distance2);
     free(skins->triangle);
     free(skins->gathered);
     free(skins->depth);
@@ -48,21 +48,22 @@ static void free_arrays(Skins* skins) {
 }
 
 // Room for a picture; only a larger one than ever before allocates.
-static void make_room(Skins* skins, int points, int triangles) {
-    if (points <= skins->point_room && triangles <= skins->triangle_room)
+static void ensure_capacity(Skins* skins, int points, int triangles) {
+    if (points <= skins->point_capacity && triangles <= skins->triangle_capacity)
         return;
     free_arrays(skins);
-    skins->point_room = points > skins->point_room ? points : skins->point_room;
-    skins->triangle_room = triangles > skins->triangle_room ? triangles : skins->triangle_room;
+    skins->point_capacity = points > skins->point_capacity ? points : skins->point_capacity;
+    skins->triangle_capacity =
+        triangles > skins->triangle_capacity ? triangles : skins->triangle_capacity;
 
-    const size_t triple = sizeof skins->triangle[0], room = (size_t)skins->triangle_room;
-    skins->point = new_array(SkinPoint, skins->point_room);
-    skins->away = new_array(float, skins->point_room);
-    skins->triangle = memory_array(2 * room, triple);
-    skins->gathered = memory_array(room, triple);
-    skins->depth = new_array(float, room);
-    skins->order = new_array(int, room);
-    skins->scratch = new_array(uint64_t, 2 * room);
+    const size_t triple = sizeof skins->triangle[0], capacity = (size_t)skins->triangle_capacity;
+    skins->point = new_array(SkinPoint, skins->point_capacity);
+    skins->distance2 = new_array(float, skins->point_capacity);
+    skins->triangle = memory_array(2 * capacity, triple);
+    skins->gathered = memory_array(capacity, triple);
+    skins->depth = new_array(float, capacity);
+    skins->order = new_array(int, capacity);
+    skins->scratch = new_array(uint64_t, 2 * capacity);
 }
 
 static void gather_points(Skins* skins, const PictureSkin* skin, int first, const float* eye) {
@@ -75,9 +76,9 @@ static void gather_points(Skins* skins, const PictureSkin* skin, int first, cons
         memcpy(point->color, color, sizeof point->color);
         point->stretch = skin->paint == PAINT_RUBBER ? skin->stretch[i] : 1;
         point->open = skin->two_sided ? 1 : 0;
-        skins->away[first + i] = (p[0] - eye[0]) * (p[0] - eye[0]) +
-                                 (p[1] - eye[1]) * (p[1] - eye[1]) +
-                                 (p[2] - eye[2]) * (p[2] - eye[2]);
+        skins->distance2[first + i] = (p[0] - eye[0]) * (p[0] - eye[0]) +
+                                      (p[1] - eye[1]) * (p[1] - eye[1]) +
+                                      (p[2] - eye[2]) * (p[2] - eye[2]);
     }
 }
 
@@ -103,14 +104,15 @@ static int gather_triangles(Skins* skins, const PictureSkin* skin, int first, in
         int* to = skins->gathered[count];
         for (int k = 0; k < 3; k++)
             to[k] = first + t[k];
-        skins->depth[count++] = skins->away[to[0]] + skins->away[to[1]] + skins->away[to[2]];
+        skins->depth[count++] =
+            skins->distance2[to[0]] + skins->distance2[to[1]] + skins->distance2[to[2]];
     }
     return count;
 }
 
 // All triangles of one paint, far to near, appended to the index array at `used`.
-static int take_paint(Skins* skins, const Picture* picture, SkinPaint paint, int used,
-                      const float* eye) {
+static int gather_paint(Skins* skins, const Picture* picture, SkinPaint paint, int used,
+                        const float* eye) {
     int first = 0, count = 0;
     for (int i = 0; i < picture->skin_count; i++) {
         const PictureSkin* skin = &picture->skin[i];
@@ -127,7 +129,7 @@ static int take_paint(Skins* skins, const Picture* picture, SkinPaint paint, int
     return used + count;
 }
 
-static int take_selected(Skins* skins, const Picture* picture, int used) {
+static int gather_selected(Skins* skins, const Picture* picture, int used) {
     skins->selected = (SkinRange){used, 0};
     int first = 0;
     for (int i = 0; i < picture->skin_count; i++) {
@@ -154,11 +156,11 @@ static void upload_triangles(const Skins* skins, int triangles) {
                  skins->triangle, GL_STREAM_DRAW);
 }
 
-void skins_take(Skins* skins, const Picture* picture, const float eye[3]) {
-    const bool changed = picture->stamp == 0 || picture->stamp != skins->seen;
+void skins_upload(Skins* skins, const Picture* picture, const float eye[3]) {
+    const bool changed = picture->stamp == 0 || picture->stamp != skins->stamp;
     if (!changed && memcmp(eye, skins->eye, sizeof skins->eye) == 0)
         return;
-    skins->seen = picture->stamp;
+    skins->stamp = picture->stamp;
     memcpy(skins->eye, eye, sizeof skins->eye);
 
     int points = 0, triangles = 0;
@@ -166,7 +168,7 @@ void skins_take(Skins* skins, const Picture* picture, const float eye[3]) {
         points += picture->skin[i].point_count;
         triangles += picture->skin[i].triangle_count;
     }
-    make_room(skins, points, triangles);
+    ensure_capacity(skins, points, triangles);
 
     int first = 0;
     for (int i = 0; i < picture->skin_count; i++) {
@@ -176,8 +178,8 @@ void skins_take(Skins* skins, const Picture* picture, const float eye[3]) {
 
     int used = 0;
     for (int paint = 0; paint < PAINT_COUNT; paint++)
-        used = take_paint(skins, picture, (SkinPaint)paint, used, eye);
-    used = take_selected(skins, picture, used);
+        used = gather_paint(skins, picture, (SkinPaint)paint, used, eye);
+    used = gather_selected(skins, picture, used);
     if (changed)
         upload_points(skins, points);
     upload_triangles(skins, used);

@@ -30,23 +30,23 @@ typedef struct Skins {
     SkinRange painted[PAINT_COUNT]; ///< far to near
     SkinRange selected;
 
-    long seen;    ///< stamp of the picture that was taken last
+    long stamp;   ///< stamp of the picture that was taken last
     float eye[3]; ///< from where
 
-    int point_room, triangle_room; ///< what the arrays below have room for
-    SkinPoint* point;              ///< [point_room]
-    float* away;                   ///< [point_room] squared distance from the eye
-    int (*triangle)[3];            ///< [2 triangle_room] painted ones, then the selected again
-    int (*gathered)[3];            ///< [triangle_room] one paint's, as they come
-    float* depth;                  ///< [triangle_room]
-    int* order;                    ///< [triangle_room]
-    uint64_t* scratch;             ///< [2 triangle_room]
+    int point_capacity, triangle_capacity; ///< what the arrays below have room for
+    SkinPoint* point;                      ///< [point_capacity]
+    float* distance2;                      ///< [point_capacity] squared distance from the eye
+    int (*triangle)[3]; ///< [2 triangle_capacity] painted ones, then the selected again
+    int (*gathered)[3]; ///< [triangle_capacity] one paint's, as they come
+    float* depth;       ///< [triangle_capacity]
+    int* order;         ///< [triangle_capacity]
+    uint64_t* scratch;  ///< [2 triangle_capacity]
 } Skins;
 
 bool skins_open(Skins* skins, const char* shader_dir, Fault* fault);
 /// Gather, sort and hand the picture's skins to the driver: points where any has changed, and their
 /// order where that or the eye has.
-void skins_take(Skins* skins, const Picture* picture, const float eye[3]);
+void skins_upload(Skins* skins, const Picture* picture, const float eye[3]);
 void skins_draw(const Skins* skins, SkinPaint paint);
 /// Is any of them see-through?
 bool skins_veil(const Skins* skins);

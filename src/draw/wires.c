@@ -18,7 +18,7 @@ bool wires_open(Wires* wires, const char* shader_dir, Fault* fault) {
     return wires->program != 0;
 }
 
-void wires_take(Wires* wires, const Picture* picture) {
+void wires_upload(Wires* wires, const Picture* picture) {
     wires->count = picture->line_count;
     if (wires->count == 0)
         return;

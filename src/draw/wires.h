@@ -17,7 +17,7 @@ typedef struct Wires {
 } Wires;
 
 bool wires_open(Wires* wires, const char* shader_dir, Fault* fault);
-void wires_take(Wires* wires, const Picture* picture);
+void wires_upload(Wires* wires, const Picture* picture);
 void wires_draw(const Wires* wires);
 void wires_close(Wires* wires);
 

@@ -31,36 +31,36 @@ void text(float x, float y, ImU32 color, const char* words) {
 } // namespace hud
 
 // The boxes are laid out here and drawn as shapes and text, not as ImGui windows: those learn
-// their size from the frame before, so that two pictures of one panel would differ.
+// their size from the frame before, so that two pictures of one overlay would differ.
 namespace {
 
 /// Two columns of text under a title, as wide as they need.
 struct Table {
     const char* title;
     int count;
-    const char* (*label)(const Panel& panel, int i);
-    const char* (*value)(const Panel& panel, int i);
+    const char* (*label)(const Overlay& overlay, int i);
+    const char* (*value)(const Overlay& overlay, int i);
 };
 
-const char* row_label(const Panel& panel, int i) {
-    return panel.row[i].label;
+const char* row_label(const Overlay& overlay, int i) {
+    return overlay.row[i].label;
 }
 
-const char* row_value(const Panel& panel, int i) {
-    return panel.row[i].value;
+const char* row_value(const Overlay& overlay, int i) {
+    return overlay.row[i].value;
 }
 
-const char* key_label(const Panel& panel, int i) {
-    return panel.key[i].key;
+const char* key_label(const Overlay& overlay, int i) {
+    return overlay.key[i].key;
 }
 
-const char* key_value(const Panel& panel, int i) {
-    return panel.key[i].about;
+const char* key_value(const Overlay& overlay, int i) {
+    return overlay.key[i].about;
 }
 
-constexpr float LEAST = 80;  // of a column of values
-constexpr float DENSE = 11;  // from one line to the next where they are many
-constexpr float HEAD = 1.4f; // of a title, in lines
+constexpr float MIN_VALUE_WIDTH = 80; // of a column of values
+constexpr float MIN_LINE = 11;        // from one line to the next where they are many
+constexpr float TITLE_LINES = 1.4f;   // of a title, in lines
 
 // As much of the words as a line of this width takes, and one at least; ImGui's own lines would
 // break numbers at their points.
@@ -94,26 +94,27 @@ void text_wrapped(float x, float y, ImU32 color, const char* words, float width)
 
 // Against the left or the right rim of a picture of this size, and at most so wide: longer texts
 // take more lines, and what has no room is left out. Returns where the box begins.
-float draw_table(const Panel& panel, const Table& table, ImVec2 size, bool right, float widest) {
+float draw_table(const Overlay& overlay, const Table& table, ImVec2 size, bool right,
+                 float widest) {
     float labels = 0, values = 0;
     for (int i = 0; i < table.count; i++) {
-        labels = std::max(labels, width_of(table.label(panel, i)));
-        values = std::max(values, width_of(table.value(panel, i)));
+        labels = std::max(labels, width_of(table.label(overlay, i)));
+        values = std::max(values, width_of(table.value(overlay, i)));
     }
     const float inner = widest - 2 * PADDING * scale, before = labels + GAP * scale;
     const float room = std::min(values, inner - before);
-    if (room < std::min(values, LEAST * scale))
+    if (room < std::min(values, MIN_VALUE_WIDTH * scale))
         return size.x;
     const float columns = table.count > 0 ? before + room : 0;
     const float words = std::max(columns, std::min(width_of(table.title), inner));
     const float wide = words + 2 * PADDING * scale;
-    const float head = HEAD * LINE * scale + wrapped_more(table.title, words);
+    const float head = TITLE_LINES * LINE * scale + wrapped_more(table.title, words);
     const float rest = size.y - (2 * MARGIN + 1.5f * PADDING) * scale - head;
     const float line =
-        std::clamp(rest / static_cast<float>(table.count), DENSE * scale, LINE * scale);
+        std::clamp(rest / static_cast<float>(table.count), MIN_LINE * scale, LINE * scale);
     float tall = head + 1.5f * PADDING * scale;
     for (int i = 0; i < table.count; i++)
-        tall += line + wrapped_more(table.value(panel, i), room);
+        tall += line + wrapped_more(table.value(overlay, i), room);
     const ImVec2 low(right ? size.x - MARGIN * scale - wide : MARGIN * scale, MARGIN * scale);
     box(low, ImVec2(wide, tall), GLASS);
 
@@ -122,8 +123,8 @@ float draw_table(const Panel& panel, const Table& table, ImVec2 size, bool right
     text_wrapped(left, y, TITLE, table.title, words);
     y += head;
     for (int i = 0; i < table.count; i++) {
-        const char* value = table.value(panel, i);
-        text(left, y, LABEL, table.label(panel, i));
+        const char* value = table.value(overlay, i);
+        text(left, y, LABEL, table.label(overlay, i));
         text_wrapped(left + before, y, VALUE, value, room);
         y += line + wrapped_more(value, room);
     }
@@ -131,16 +132,16 @@ float draw_table(const Panel& panel, const Table& table, ImVec2 size, bool right
 }
 
 // A sentence in the middle of the lower rim, on as many lines as it takes.
-void draw_message(const Panel& panel, ImVec2 size) {
+void draw_message(const Overlay& overlay, ImVec2 size) {
     const float widest = std::max(size.x - 4 * (MARGIN + PADDING) * scale, 10 * FONT_SIZE * scale);
-    const ImVec2 words = ImGui::CalcTextSize(panel.message, nullptr, false, widest);
-    const ImVec2 whole(words.x + 2.5f * PADDING * scale, words.y + 1.6f * PADDING * scale);
-    const ImVec2 low(0.5f * (size.x - whole.x), size.y - 2 * MARGIN * scale - whole.y);
-    box(low, whole, panel.alarm ? ALARM : GLASS);
+    const ImVec2 words = ImGui::CalcTextSize(overlay.message, nullptr, false, widest);
+    const ImVec2 area(words.x + 2.5f * PADDING * scale, words.y + 1.6f * PADDING * scale);
+    const ImVec2 low(0.5f * (size.x - area.x), size.y - 2 * MARGIN * scale - area.y);
+    box(low, area, overlay.alarm ? ALARM : GLASS);
     ImGui::GetBackgroundDrawList()->AddText(
         ImGui::GetFont(), ImGui::GetFontSize(),
         ImVec2(low.x + 1.25f * PADDING * scale, low.y + 0.8f * PADDING * scale), VALUE,
-        panel.message, nullptr, widest);
+        overlay.message, nullptr, widest);
 }
 
 } // namespace
@@ -151,7 +152,7 @@ bool hud_open(float asked, Fault* fault) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
 
-    // no file is read or written, and no clock: the same panel gives the same pixels
+    // no file is read or written, and no clock: the same overlay gives the same pixels
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
@@ -167,7 +168,7 @@ bool hud_open(float asked, Fault* fault) {
     return fault_set(fault, "overlay", "Dear ImGui cannot load OpenGL: apt-get install libgl1");
 }
 
-void hud_draw(const Panel* panel, int width, int height) {
+void hud_draw(const Overlay* overlay, int width, int height) {
     const ImVec2 size(static_cast<float>(width), static_cast<float>(height));
     ImGui::GetIO().DisplaySize = size;
     ImGui_ImplOpenGL3_NewFrame();
@@ -176,34 +177,36 @@ void hud_draw(const Panel* panel, int width, int height) {
     // the status box takes what the other leaves
     const float all = size.x - MARGIN * scale;
     float free = all;
-    if (panel->help_shown)
-        free = draw_table(*panel, {"Keys", panel->key_count, key_label, key_value}, size, true,
+    if (overlay->help_shown)
+        free = draw_table(*overlay, {"Keys", overlay->key_count, key_label, key_value}, size, true,
                           all - MARGIN * scale);
-    else if (panel->page)
-        free = draw_page(*panel->page, size);
-    if (panel->shown)
-        draw_table(*panel, {panel->title, panel->row_count, row_label, row_value}, size, false,
-                   std::min(free - 0.5f * MARGIN * scale, all) - MARGIN * scale);
-    if (panel->page)
-        draw_slider(panel->page->slider, size);
-    if (panel->message[0])
-        draw_message(*panel, size);
+    else if (overlay->lab_panel)
+        free = draw_lab_panel(*overlay->lab_panel, size);
+    if (overlay->shown)
+        draw_table(*overlay, {overlay->title, overlay->row_count, row_label, row_value}, size,
+                   false, std::min(free - 0.5f * MARGIN * scale, all) - MARGIN * scale);
+    if (overlay->lab_panel)
+        draw_slider(overlay->lab_panel->slider, size);
+    if (overlay->message[0])
+        draw_message(*overlay, size);
 
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-bool hud_cell(const Panel* panel, int width, int height, const float point[2], int cell[2]) {
+bool hud_cell(const Overlay* overlay, int width, int height, const float point[2], int cell[2]) {
     const ImVec2 size(static_cast<float>(width), static_cast<float>(height));
-    return panel->page && !panel->help_shown &&
-           page_cell(*panel->page, size, ImVec2(point[0] * size.x, point[1] * size.y), cell);
+    return overlay->lab_panel && !overlay->help_shown &&
+           lab_panel_cell(*overlay->lab_panel, size, ImVec2(point[0] * size.x, point[1] * size.y),
+                          cell);
 }
 
-int hud_notch(const Panel* panel, int width, int height, const float point[2]) {
+int hud_notch(const Overlay* overlay, int width, int height, const float point[2]) {
     const ImVec2 size(static_cast<float>(width), static_cast<float>(height));
-    if (!panel->page)
+    if (!overlay->lab_panel)
         return 0;
-    return slider_notch(panel->page->slider, size, ImVec2(point[0] * size.x, point[1] * size.y));
+    return slider_notch(overlay->lab_panel->slider, size,
+                        ImVec2(point[0] * size.x, point[1] * size.y));
 }
 
 void hud_close(void) {

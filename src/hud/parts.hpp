@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "view/page.h"
+#include "view/lab_panel.h"
 
 namespace hud {
 
@@ -31,15 +31,15 @@ float width_of(const char* text);
 void box(ImVec2 low, ImVec2 size, ImU32 color);
 void text(float x, float y, ImU32 color, const char* words);
 
-/// The lab's page along the right rim of a picture of this size; where its box begins [px].
-float draw_page(const Page& page, ImVec2 size);
+/// The lab's panel along the right rim of a picture of this size; where its box begins [px].
+float draw_lab_panel(const LabPanel& panel, ImVec2 size);
 
 /// The cell of its map under a point [px].
-bool page_cell(const Page& page, ImVec2 size, ImVec2 point, int cell[2]);
+bool lab_panel_cell(const LabPanel& panel, ImVec2 size, ImVec2 point, int cell[2]);
 
 /// The slider at the lower left, and its notch under a point, 1 …; 0: none [px].
-void draw_slider(const PageSlider& slider, ImVec2 size);
-int slider_notch(const PageSlider& slider, ImVec2 size, ImVec2 point);
+void draw_slider(const LabSlider& slider, ImVec2 size);
+int slider_notch(const LabSlider& slider, ImVec2 size, ImVec2 point);
 
 } // namespace hud
 

@@ -8,10 +8,10 @@ namespace hud {
 namespace {
 
 // All in pixels at scale 1.
-constexpr float WIDE = 300;
-constexpr float TRACK = 20; // height
-constexpr float NOTCH = 3;  // radius
-constexpr float THUMB = 7;
+constexpr float TRACK_WIDTH = 300;
+constexpr float TRACK_HEIGHT = 20; // height
+constexpr float NOTCH_RADIUS = 3;  // radius
+constexpr float THUMB_RADIUS = 7;
 
 struct Track {
     ImVec2 low; // of the box
@@ -19,23 +19,24 @@ struct Track {
     float left, right, y;
 };
 
-Track track_of(const PageSlider& slider, ImVec2 size) {
+Track track_of(const LabSlider& slider, ImVec2 size) {
     Track track;
     const float lines = static_cast<float>(1 + slider.lines);
-    track.size = ImVec2((WIDE + 2 * PADDING) * scale, (lines * LINE + TRACK + 2 * PADDING) * scale);
+    track.size = ImVec2((TRACK_WIDTH + 2 * PADDING) * scale,
+                        (lines * LINE + TRACK_HEIGHT + 2 * PADDING) * scale);
     track.low = ImVec2(MARGIN * scale, size.y - MARGIN * scale - track.size.y);
     track.left = track.low.x + PADDING * scale;
-    track.right = track.left + WIDE * scale;
-    track.y = track.low.y + (PADDING + LINE + TRACK / 2) * scale;
+    track.right = track.left + TRACK_WIDTH * scale;
+    track.y = track.low.y + (PADDING + LINE + TRACK_HEIGHT / 2) * scale;
     return track;
 }
 
-// A small picture has no room for it beside the page.
+// A small picture has no room for it beside the panel.
 bool fits(const Track& track, ImVec2 size) {
     return size.x >= 1.95f * track.size.x && size.y >= 2 * track.size.y;
 }
 
-float notch_x(const PageSlider& slider, const Track& track, int notch) {
+float notch_x(const LabSlider& slider, const Track& track, int notch) {
     const int last = std::max(slider.notches - 1, 1);
     return track.left +
            (track.right - track.left) * static_cast<float>(notch - 1) / static_cast<float>(last);
@@ -43,7 +44,7 @@ float notch_x(const PageSlider& slider, const Track& track, int notch) {
 
 } // namespace
 
-void draw_slider(const PageSlider& slider, ImVec2 size) {
+void draw_slider(const LabSlider& slider, ImVec2 size) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const Track track = track_of(slider, size);
     if (!fits(track, size))
@@ -54,16 +55,17 @@ void draw_slider(const PageSlider& slider, ImVec2 size) {
     text(track.right - width_of("accurate"), top, TITLE, "accurate");
     list->AddLine(ImVec2(track.left, track.y), ImVec2(track.right, track.y), LABEL, scale);
     for (int k = 1; k <= slider.notches; k++)
-        list->AddCircleFilled(ImVec2(notch_x(slider, track, k), track.y), NOTCH * scale, LABEL);
+        list->AddCircleFilled(ImVec2(notch_x(slider, track, k), track.y), NOTCH_RADIUS * scale,
+                              LABEL);
     if (slider.at > 0)
-        list->AddCircleFilled(ImVec2(notch_x(slider, track, slider.at), track.y), THUMB * scale,
-                              TRUTH);
+        list->AddCircleFilled(ImVec2(notch_x(slider, track, slider.at), track.y),
+                              THUMB_RADIUS * scale, TRUTH);
     for (int k = 0; k < slider.lines; k++)
-        text(track.left, top + (LINE * static_cast<float>(k + 1) + TRACK) * scale, VALUE,
+        text(track.left, top + (LINE * static_cast<float>(k + 1) + TRACK_HEIGHT) * scale, VALUE,
              slider.line[k]);
 }
 
-int slider_notch(const PageSlider& slider, ImVec2 size, ImVec2 point) {
+int slider_notch(const LabSlider& slider, ImVec2 size, ImVec2 point) {
     const Track track = track_of(slider, size);
     const float reach = PADDING * scale;
     if (!fits(track, size) || slider.notches == 0 || std::fabs(point.y - track.y) > reach ||

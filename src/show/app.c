@@ -20,7 +20,7 @@ void app_say(App* app, const char* format, ...) {
     va_start(arguments, format);
     vsnprintf(app->message, sizeof app->message, format, arguments);
     va_end(arguments);
-    app->message_left = MESSAGE_SECONDS;
+    app->message_seconds = MESSAGE_SECONDS;
 }
 
 /// The mode that a scene begins with, or NULL with a fault.
@@ -32,24 +32,24 @@ static const Mode* mode_of(const WorldDef* def, Fault* fault) {
     return mode;
 }
 
-void app_look(App* app) {
+void app_reset_view(App* app) {
     const Pacer before = app->pacer;
-    app->pacer = pacer_make(app->world->step, before.most);
-    app->pacer.slow = before.slow;
+    app->pacer = pacer_make(app->world->step, before.frame_max);
+    app->pacer.slowdown = before.slowdown;
     app->pacer.paused = before.paused;
     app->camera = framing_first(app->world);
-    app->hand = hand_default(app->world, &app->camera);
+    app->thrower = thrower_default(app->world, &app->camera);
     picture_open(&app->picture, app->world);
     if (app->session.ghost)
         picture_ghost(&app->picture, &app->session.ghost->world);
     if (app->lab)
-        lab_page_begin(app->lab);
+        live_lab_begin(app->lab);
 }
 
 // ---- other scenes ----
 
 /// What tells a scene from another: its path below assets/scenes, or its last word elsewhere.
-static const char* scene_word(const char* path) {
+static const char* scene_id(const char* path) {
     const char* folder = strstr(path, "assets/scenes/");
     const char* slash = strrchr(path, '/');
     return folder ? folder : slash ? slash + 1 : path;
@@ -57,13 +57,13 @@ static const char* scene_word(const char* path) {
 
 static int scene_index(char* const* path, int count, const char* file) {
     for (int k = 0; k < count; k++)
-        if (strcmp(scene_word(path[k]), scene_word(file)) == 0)
+        if (strcmp(scene_id(path[k]), scene_id(file)) == 0)
             return k;
     return -1;
 }
 
 /// A ghost for the scene that comes; one that its method refuses has none, and that is said.
-static void haunt(App* app, const char* path, const SceneSet* set, int set_count) {
+static void open_ghost(App* app, const char* path, const SceneSet* set, int set_count) {
     Ghost* ghost = app->options->ghost;
     if (!ghost)
         return;
@@ -101,14 +101,14 @@ bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_cou
 
     // the picture points into the worlds that go
     picture_close(&app->picture);
-    haunt(app, path, set, set_count);
+    open_ghost(app, path, set, set_count);
     app->mode = mode;
     const bool logged = session_change(&app->session, &next, how, fault);
-    app_look(app);
+    app_reset_view(app);
     return logged;
 }
 
-void app_go(App* app, int direction) {
+void app_next_scene(App* app, int direction) {
     char** path;
     const int count = scene_list(&path);
     const int here = scene_index(path, count, app->world->def.file);
@@ -121,7 +121,7 @@ void app_go(App* app, int direction) {
         app->set_count = app->notch = 0;
         app->watching = false;
         if (app->lab)
-            app_lab(app, true);
+            app_show_lab(app, true);
     }
 
     for (int k = 0; k < count; k++)
@@ -132,15 +132,15 @@ void app_go(App* app, int direction) {
 // ---- the lab ----
 
 /// What a step costs is of interest to a user, or to who asks for times.
-void app_lab(App* app, bool shown) {
-    lab_page_close(app->lab);
+void app_show_lab(App* app, bool shown) {
+    live_lab_close(app->lab);
     const bool timed = app->output.full_screen || app->options->time;
-    app->lab = shown ? lab_page_open(app->world, app->set, app->set_count, timed) : NULL;
+    app->lab = shown ? live_lab_open(app->world, app->set, app->set_count, timed) : NULL;
 }
 
 // ---- screenshots ----
 
-static bool free_name(const char* folder, char file[600]) {
+static bool unused_name(const char* folder, char file[600]) {
     for (int number = 1; number <= SCREENSHOTS_MOST; number++) {
         snprintf(file, 600, "%s%sballoon-%04d.png", folder ? folder : "", folder ? "/" : "",
                  number);
@@ -153,7 +153,7 @@ static bool free_name(const char* folder, char file[600]) {
 void app_screenshot(App* app) {
     app->screenshot = false;
     char file[600];
-    if (!free_name(app->options->screenshots, file)) {
+    if (!unused_name(app->options->screenshots, file)) {
         app_say(app, "there are %d screenshots here already", SCREENSHOTS_MOST);
         return;
     }
@@ -169,10 +169,10 @@ void app_screenshot(App* app) {
 
 // ---- opening and closing ----
 
-static void list_keys(Panel* panel) {
-    panel->key_count = 0;
-    for (int k = 0; k < keys_count() && k < PANEL_KEYS; k++)
-        panel->key[panel->key_count++] = keys_row(k);
+static void list_keys(Overlay* overlay) {
+    overlay->key_count = 0;
+    for (int k = 0; k < keys_count() && k < OVERLAY_KEYS; k++)
+        overlay->key[overlay->key_count++] = keys_row(k);
 }
 
 static const Mode* first_mode(const App* app, Fault* fault) {
@@ -208,19 +208,19 @@ bool app_open(App* app, Fault* fault) {
     const ShowOptions* options = app->options;
     app->width = options->width;
     app->height = options->height;
-    app->panel.shown = options->overlay;
-    list_keys(&app->panel);
-    app_lab(app, options->lab);
-    app_look(app);
+    app->overlay.shown = options->overlay;
+    list_keys(&app->overlay);
+    app_show_lab(app, options->lab);
+    app_reset_view(app);
     return open_renderer(app, fault);
 }
 
-bool app_close(App* app, bool whole, Fault* fault) {
-    if (app->scale > 0)
+bool app_close(App* app, bool complete, Fault* fault) {
+    if (app->overlay_scale > 0)
         hud_close();
     renderer_close(app->renderer);
     picture_close(&app->picture);
-    lab_page_close(app->lab);
+    live_lab_close(app->lab);
     session_close(&app->session);
-    return app->output.close(app->output.self, whole, fault);
+    return app->output.close(app->output.self, complete, fault);
 }

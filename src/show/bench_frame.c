@@ -29,18 +29,18 @@ static bool run_scene(const char* scene, const BenchOptions* options, Fault* fau
     world_close(&world);
     if (!good)
         return false;
-    const int kept = stages.frames < STAGES_KEPT ? (int)stages.frames : STAGES_KEPT;
-    double sample[STAGES_KEPT];
+    const int sample_count = stages.frames < RECENT_FRAMES ? (int)stages.frames : RECENT_FRAMES;
+    double sample[RECENT_FRAMES];
     for (int stage = 0; stage < STAGES; stage++) {
-        for (int k = 0; k < kept; k++)
-            sample[k] = stages.kept[(stages.frames - k) % STAGES_KEPT][stage];
+        for (int k = 0; k < sample_count; k++)
+            sample[k] = stages.recent[(stages.frames - k) % RECENT_FRAMES][stage];
         figures_add_samples(options->figures, scene, particles, stage_name[stage], "ms/frame",
-                            sample, kept);
+                            sample, sample_count);
     }
     return true;
 }
 
-static bool run(const BenchOptions* options, Fault* fault) {
+static bool measure_scenes(const BenchOptions* options, Fault* fault) {
     figures_head(options->figures);
     for (int k = 0; k < SCENES; k++)
         if (!run_scene(scene_table[k], options, fault))
@@ -52,5 +52,5 @@ const BenchCase bench_frame = {
     .name = "frame",
     .about = "where the time of a frame goes, stage by stage",
     .timed = true,
-    .run = run,
+    .run = measure_scenes,
 };

@@ -32,7 +32,7 @@ double ghost_cost(const Ghost* ghost, const World* world, bool of_ghost) {
     return simulated > 0 ? 1e3 * (of_ghost ? ghost->ghost_spent : ghost->spent) / simulated : 0;
 }
 
-void ghost_words(const Ghost* ghost, const World* world, char* words, size_t size) {
+void ghost_summary(const Ghost* ghost, const World* world, char* words, size_t size) {
     const Blowup* bad = &ghost->world.blowup;
     const int used = snprintf(words, size, "%s is %.3g off, for %.3g ms per second against %.3g",
                               ghost->world.method->name, ghost_distance(ghost, world),

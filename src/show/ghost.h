@@ -21,6 +21,6 @@ double ghost_distance(const Ghost* ghost, const World* world);
 double ghost_cost(const Ghost* ghost, const World* world, bool of_ghost);
 
 /// "newton is 0.012 off, for 40 ms per second against 12", or where it went bad.
-void ghost_words(const Ghost* ghost, const World* world, char* words, size_t size);
+void ghost_summary(const Ghost* ghost, const World* world, char* words, size_t size);
 
 #endif

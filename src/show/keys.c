@@ -30,11 +30,11 @@ static void next_mode(App* app) {
 }
 
 static void next_scene(App* app) {
-    app_go(app, 1);
+    app_next_scene(app, 1);
 }
 
 static void previous_scene(App* app) {
-    app_go(app, -1);
+    app_next_scene(app, -1);
 }
 
 static void frame_all(App* app) {
@@ -48,80 +48,80 @@ static void throw_ball(App* app) {
     double thrown[THROW_NUMBERS];
     const float aspect = (float)app->width / (float)app->height;
     Fault fault = {0};
-    if (!hand_throw(&app->hand, app->world, &app->camera, aspect, app->pointer, thrown))
+    if (!thrower_throw(&app->thrower, app->world, &app->camera, aspect, app->pointer, thrown))
         app_say(app, "there is no room for a ball here");
     else if (!session_throw(&app->session, thrown, &fault))
         app_say(app, "%s: %s", fault.place, fault.text);
 }
 
 static void next_mass(App* app) {
-    hand_next_mass(&app->hand);
-    app_say(app, "the next ball's mass is %g", app->hand.mass);
+    thrower_next_mass(&app->thrower);
+    app_say(app, "the next ball's mass is %g", app->thrower.mass);
 }
 
 static void next_radius(App* app) {
-    hand_next_radius(&app->hand);
-    app_say(app, "the next ball's radius is %g", app->hand.radius);
+    thrower_next_radius(&app->thrower);
+    app_say(app, "the next ball's radius is %g", app->thrower.radius);
 }
 
 static void next_speed(App* app) {
-    hand_next_speed(&app->hand);
-    app_say(app, "the next ball's speed is %g", app->hand.speed);
+    thrower_next_speed(&app->thrower);
+    app_say(app, "the next ball's speed is %g", app->thrower.speed);
 }
 
-static void overlay(App* app) {
-    app->panel.shown = !app->panel.shown;
+static void toggle_overlay(App* app) {
+    app->overlay.shown = !app->overlay.shown;
 }
 
-static void help(App* app) {
-    app->panel.help_shown = !app->panel.help_shown;
+static void toggle_help(App* app) {
+    app->overlay.help_shown = !app->overlay.help_shown;
 }
 
-static void lab(App* app) {
-    app_lab(app, !app->lab);
+static void toggle_lab(App* app) {
+    app_show_lab(app, !app->lab);
 }
 
-static void choose(App* app, int up, int right) {
+static void move_choice(App* app, int up, int right) {
     if (!app->lab)
         return;
-    const int* chosen = app->lab->page.map.chosen;
-    lab_page_choose(app->lab, chosen[0] + up, chosen[1] + right);
+    const int* chosen = app->lab->panel.map.chosen;
+    live_lab_choose(app->lab, chosen[0] + up, chosen[1] + right);
 }
 
 static void stiffer(App* app) {
-    choose(app, 1, 0);
+    move_choice(app, 1, 0);
 }
 
 static void softer(App* app) {
-    choose(app, -1, 0);
+    move_choice(app, -1, 0);
 }
 
 static void shorter(App* app) {
-    choose(app, 0, -1);
+    move_choice(app, 0, -1);
 }
 
 static void longer(App* app) {
-    choose(app, 0, 1);
+    move_choice(app, 0, 1);
 }
 
-static void choose_there(App* app) {
+static void choose_at_pointer(App* app) {
     int cell[2];
-    const int notch = hud_notch(&app->panel, app->width, app->height, app->pointer);
+    const int notch = hud_notch(&app->overlay, app->width, app->height, app->pointer);
     if (app->lab && notch > 0)
-        app_slide(app, notch);
+        app_select_notch(app, notch);
     if (notch > 0 || !app->lab ||
-        !hud_cell(&app->panel, app->width, app->height, app->pointer, cell))
+        !hud_cell(&app->overlay, app->width, app->height, app->pointer, cell))
         return;
-    lab_page_choose(app->lab, cell[0], cell[1]);
-    app_watch(app);
+    live_lab_choose(app->lab, cell[0], cell[1]);
+    app_watch_cell(app);
 }
 
 static void less_accurate(App* app) {
-    app_slide(app, app->notch - 1);
+    app_select_notch(app, app->notch - 1);
 }
 
 static void more_accurate(App* app) {
-    app_slide(app, app->notch + 1);
+    app_select_notch(app, app->notch + 1);
 }
 
 static void full_screen(App* app) {
@@ -152,18 +152,18 @@ const ViewKey view_key_table[] = {
     {"w",          "weight of the next ball: 0.1 to 1000",     next_mass},
     {"z",          "size of the next ball: radius 0.05 to 0.8", next_radius},
     {"s",          "speed of the next ball: 1 to 200",         next_speed},
-    {"o",          "show or hide the overlay",                 overlay},
-    {"g",          "show or hide the lab: plots, curve, map, slider", lab},
+    {"o",          "show or hide the overlay",                 toggle_overlay},
+    {"g",          "show or hide the lab: plots, curve, map, slider", toggle_lab},
     {"[",          "on the slider: a notch faster",            less_accurate},
     {"]",          "a notch more accurate",                    more_accurate},
     {"i",          "on the map: choose a stiffer skin",        stiffer},
     {"k",          "a softer one",                             softer},
     {"j",          "a shorter step",                           shorter},
     {"l",          "a longer one",                             longer},
-    {"enter",      "watch the scene with these, unguarded",    app_watch},
-    {"click",      "choose on the map or slider, and watch that",        choose_there},
-    {"backspace",  "bring the scene back as it was",           app_watch_no_more},
-    {"h",          "show or hide these keys",                  help},
+    {"enter",      "watch the scene with these, unguarded",    app_watch_cell},
+    {"click",      "choose on the map or slider, and watch that",        choose_at_pointer},
+    {"backspace",  "bring the scene back as it was",           app_restore_scene},
+    {"h",          "show or hide these keys",                  toggle_help},
     {"f11",        "full screen or window",                    full_screen},
     {"p",          "write a screenshot",                       screenshot},
     {"q",          "quit",                                     quit},
@@ -189,11 +189,11 @@ int keys_count(void) {
     return command_count + view_key_count;
 }
 
-PanelKey keys_row(int row) {
+OverlayKey keys_row(int row) {
     if (row < command_count)
-        return (PanelKey){command_table[row].key, command_table[row].about};
+        return (OverlayKey){command_table[row].key, command_table[row].about};
     const ViewKey* key = &view_key_table[row - command_count];
-    return (PanelKey){key->key, key->about};
+    return (OverlayKey){key->key, key->about};
 }
 
 void keys_print(FILE* out) {

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "view/panel.h"
+#include "view/overlay.h"
 
 struct App; // show/app.h
 
@@ -26,7 +26,7 @@ int command_key_find(const char* key);
 
 /// All keys, commands first: row 0 … keys_count() - 1.
 int keys_count(void);
-PanelKey keys_row(int row);
+OverlayKey keys_row(int row);
 
 /// "  key  what it does", one a line, for --help and the README.
 void keys_print(FILE* out);

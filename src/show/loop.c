@@ -20,7 +20,7 @@ static void move_camera(Camera* camera, const Input* input) {
     camera_zoom(camera, input->zoom);
 }
 
-static bool press(App* app, const KeyEvent* event, Fault* fault) {
+static bool handle_key(App* app, const KeyEvent* event, Fault* fault) {
     const int row = command_key_find(event->name);
     if (row >= 0)
         return session_key(&app->session, row, event->down, fault);
@@ -31,12 +31,12 @@ static bool press(App* app, const KeyEvent* event, Fault* fault) {
     return true;
 }
 
-static bool hear(App* app, const Input* input, Fault* fault) {
+static bool handle_input(App* app, const Input* input, Fault* fault) {
     move_camera(&app->camera, input);
     for (int k = 0; k < input->key_count; k++)
-        if (!press(app, &input->key[k], fault))
+        if (!handle_key(app, &input->key[k], fault))
             return false;
-    app->message_left -= input->elapsed;
+    app->message_seconds -= input->elapsed;
     return true;
 }
 
@@ -52,8 +52,8 @@ static void repeat_notice(App* app) {
 }
 
 /// Steps from one picture to the next, at the present speed.
-static long steps_a_frame(const App* app) {
-    const double steps = 1 / (app->options->fps * app->pacer.slow * app->world->step);
+static long steps_per_frame(const App* app) {
+    const double steps = 1 / (app->options->fps * app->pacer.slowdown * app->world->step);
     return steps > 1 ? lround(steps) : 1;
 }
 
@@ -65,72 +65,74 @@ static double ghost_ms(const App* app) {
 static bool advance(App* app, double elapsed, Fault* fault) {
     long due = pacer_due(&app->pacer, elapsed);
     if (app->lab)
-        lab_page_start(app->lab, app->world);
-    for (; due > 0 && app->world->clock < app->last && !app->output.late(app->output.self); due--) {
+        live_lab_start(app->lab, app->world);
+    for (; due > 0 && app->world->clock < app->end_step && !app->output.late(app->output.self);
+         due--) {
         const double before = ghost_ms(app);
         if (!session_step(&app->session, fault))
             return false;
         if (app->lab)
-            lab_page_step(app->lab, app->world, steps_a_frame(app), ghost_ms(app) - before);
+            live_lab_step(app->lab, app->world, steps_per_frame(app), ghost_ms(app) - before);
     }
     repeat_notice(app);
     return true;
 }
 
 /// The renderer's size and the overlay's scale follow the window.
-static bool fit(App* app, const Input* input, Fault* fault) {
+static bool match_output(App* app, const Input* input, Fault* fault) {
     if (input->width != app->width || input->height != app->height)
         renderer_resize(app->renderer, input->width, input->height);
     app->width = input->width;
     app->height = input->height;
 
-    if (input->scale == app->scale)
+    if (input->scale == app->overlay_scale)
         return true;
-    if (app->scale > 0)
+    if (app->overlay_scale > 0)
         hud_close();
-    app->scale = hud_open(input->scale, fault) ? input->scale : 0;
-    return app->scale > 0;
+    app->overlay_scale = hud_open(input->scale, fault) ? input->scale : 0;
+    return app->overlay_scale > 0;
 }
 
 static void draw(App* app, double elapsed, double frame_ms) {
-    picture_take(&app->picture, app->world, &app->camera, app->mode);
+    picture_update(&app->picture, app->world, &app->camera, app->mode);
     stages_end(&app->stages, STAGE_PICTURE);
     renderer_draw(app->renderer, &app->picture);
     stages_drawn(&app->stages, renderer_times(app->renderer));
 
     char compared[200] = "";
     if (app->session.ghost)
-        ghost_words(app->session.ghost, app->world, compared, sizeof compared);
+        ghost_summary(app->session.ghost, app->world, compared, sizeof compared);
     const Status status = {
         .mode = app->mode,
-        .hand = app->output.full_screen ? &app->hand : NULL, // no user where there is no screen
-        .slow = app->pacer.slow,
+        .thrower =
+            app->output.full_screen ? &app->thrower : NULL, // no user where there is no screen
+        .slowdown = app->pacer.slowdown,
         .paused = app->pacer.paused,
         .compared = compared,
         .frame_ms = frame_ms,
-        .message = app->panel.shown && app->message_left > 0 ? app->message : "",
+        .message = app->overlay.shown && app->message_seconds > 0 ? app->message : "",
     };
-    status_take(&app->panel, app->world, &app->picture, &status);
-    app->panel.page = NULL;
+    status_fill(&app->overlay, app->world, &app->picture, &status);
+    app->overlay.lab_panel = NULL;
     if (app->lab) {
         // a user has other frames to see, and a film must not depend on the time
         const bool user = app->output.full_screen;
-        lab_page_work(app->lab, user ? INFINITY : MAP_PARTS * elapsed * app->options->fps,
+        live_lab_work(app->lab, user ? INFINITY : MAP_PARTS * elapsed * app->options->fps,
                       user ? fmax(MAP_MS, 1e3 * MAP_SHARE * elapsed) : INFINITY);
-        app->panel.page = lab_page_take(app->lab, app->world, app->watching, app->notch);
+        app->overlay.lab_panel = live_lab_update(app->lab, app->world, app->watching, app->notch);
     }
     renderer_bind_resolved(app->renderer);
-    hud_draw(&app->panel, app->width, app->height);
+    hud_draw(&app->overlay, app->width, app->height);
     stages_end(&app->stages, STAGE_OVERLAY);
 }
 
 bool app_run(App* app, Fault* fault) {
     Input input;
-    while (!app->quit && app->world->clock < app->last &&
+    while (!app->quit && app->world->clock < app->end_step &&
            app->output.next(app->output.self, &input)) {
         stages_begin(&app->stages);
-        if (!hear(app, &input, fault) || !advance(app, input.elapsed, fault) ||
-            !fit(app, &input, fault))
+        if (!handle_input(app, &input, fault) || !advance(app, input.elapsed, fault) ||
+            !match_output(app, &input, fault))
             return false;
         stages_end(&app->stages, STAGE_STEPS);
 

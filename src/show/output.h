@@ -47,8 +47,8 @@ typedef struct Output {
     /// Switch between window and full screen; NULL where there is no screen.
     void (*full_screen)(void* self);
 
-    /// `whole`: all went well, files are completed; else what is half-written is removed.
-    bool (*close)(void* self, bool whole, Fault* fault);
+    /// `complete`: all went well, files are completed; else what is half-written is removed.
+    bool (*close)(void* self, bool complete, Fault* fault);
 } Output;
 
 /// A window on this machine's display. False with a sentence when there is none.

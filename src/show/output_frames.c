@@ -18,7 +18,7 @@ typedef struct Frames Frames;
 typedef struct Writer {
     bool (*open)(Frames* frames, Fault* fault);
     bool (*add)(Frames* frames, Fault* fault);
-    bool (*close)(Frames* frames, bool whole, Fault* fault);
+    bool (*close)(Frames* frames, bool complete, Fault* fault);
 } Writer;
 
 struct Frames {
@@ -39,13 +39,13 @@ static void frame_name(const Frames* frames, long number, char file[1024]) {
 
 /// Whether a file can be made there, found by making one.
 static bool try_file(const char* file, const char* out, Fault* fault) {
-    char part[1100];
-    snprintf(part, sizeof part, "%s.part", file);
-    FILE* made = fopen(part, "wb");
+    char temporary[1100];
+    snprintf(temporary, sizeof temporary, "%s.part", file);
+    FILE* made = fopen(temporary, "wb");
     if (!made)
         return fault_set(fault, out, "cannot be written: %s", strerror(errno));
     fclose(made);
-    remove(part);
+    remove(temporary);
     return true;
 }
 
@@ -63,11 +63,11 @@ static bool folder_add(Frames* frames, Fault* fault) {
     return png_write_rgb(file, frames->rgb, frames->def.width, frames->def.height, fault);
 }
 
-static bool folder_close(Frames* frames, bool whole, Fault* fault) {
+static bool folder_close(Frames* frames, bool complete, Fault* fault) {
     (void)fault;
-    if (whole && !frames->def.quiet)
+    if (complete && !frames->def.quiet)
         printf("%ld frames in %s\n", frames->done, frames->def.out);
-    return whole;
+    return complete;
 }
 
 // ---- one PNG file of the last moment ----
@@ -81,11 +81,11 @@ static bool still_add(Frames* frames, Fault* fault) {
                          fault);
 }
 
-static bool still_close(Frames* frames, bool whole, Fault* fault) {
+static bool still_close(Frames* frames, bool complete, Fault* fault) {
     (void)fault;
-    if (whole && !frames->def.quiet)
+    if (complete && !frames->def.quiet)
         printf("%s\n", frames->def.out);
-    return whole;
+    return complete;
 }
 
 // ---- a video ----
@@ -100,11 +100,11 @@ static bool film_add(Frames* frames, Fault* fault) {
     return video_add(&frames->video, frames->rgb, fault);
 }
 
-static bool film_close(Frames* frames, bool whole, Fault* fault) {
-    whole = video_close(&frames->video, whole, fault);
-    if (whole && !frames->def.quiet)
+static bool film_close(Frames* frames, bool complete, Fault* fault) {
+    complete = video_close(&frames->video, complete, fault);
+    if (complete && !frames->def.quiet)
         printf("%ld frames in %s\n", frames->done, frames->def.out);
-    return whole;
+    return complete;
 }
 
 // ---- nothing ----
@@ -115,10 +115,10 @@ static bool nothing(Frames* frames, Fault* fault) {
     return true;
 }
 
-static bool nothing_close(Frames* frames, bool whole, Fault* fault) {
+static bool nothing_close(Frames* frames, bool complete, Fault* fault) {
     (void)frames;
     (void)fault;
-    return whole;
+    return complete;
 }
 
 static const Writer folder = {folder_open, folder_add, folder_close};
@@ -172,13 +172,13 @@ static bool present(void* self, const Renderer* renderer, Fault* fault) {
     return true;
 }
 
-static bool close_frames(void* self, bool whole, Fault* fault) {
+static bool close_frames(void* self, bool complete, Fault* fault) {
     Frames* frames = self;
-    whole = frames->writer->close(frames, whole, fault);
+    complete = frames->writer->close(frames, complete, fault);
     egl_close_surfaceless(&frames->egl);
     free(frames->rgb);
     free(frames);
-    return whole;
+    return complete;
 }
 
 bool output_frames(Output* output, const FramesDef* def, Fault* fault) {

@@ -9,13 +9,12 @@
 #include <GLFW/glfw3.h>
 
 #include "base/memory.h"
-#include "show/show.h"
 
 // Steps of the world may take this much of a frame; what is then left of them is not made, so that
 // the window answers on a machine that is too slow. [s]
-static const double STEPS_MOST = 1.0 / 25;
+static const double MAX_STEPS_TIME = 1.0 / 25;
 // A frame is never shorter, whatever the screen: a driver that does not wait for it would spin. [s]
-static const double FRAME_LEAST = 1.0 / 250;
+static const double MIN_FRAME_TIME = 1.0 / 250;
 
 // Share of the last frame in the time that the overlay shows, which would flicker else.
 static const double SMOOTHING = 0.1;
@@ -26,7 +25,7 @@ typedef struct Window {
     double shown_at;   ///< when the last frame began [s]
     double frame_ms;   ///< smoothed [ms]
     double pointer[2]; ///< [screen coordinates]
-    int place[4];      ///< x, y, width, height before full screen [screen coordinates]
+    int windowed[4];   ///< x, y, width, height before full screen [screen coordinates]
 } Window;
 
 // ---- keys by name, as the key tables write them ----
@@ -69,8 +68,8 @@ static void name_key(int key, int scancode, char name[16]) {
         snprintf(name, 16, "%c", tolower(key));
 }
 
-static float part_of(double at, int whole) {
-    return (float)fmin(fmax(at / fmax(whole, 1), 0), 1);
+static float fraction(double at, int size) {
+    return (float)fmin(fmax(at / fmax(size, 1), 0), 1);
 }
 
 static void add_key(GLFWwindow* handle, const char* name, bool down) {
@@ -83,7 +82,7 @@ static void add_key(GLFWwindow* handle, const char* name, bool down) {
     KeyEvent* event = &input->key[input->key_count++];
     *event = (KeyEvent){
         .down = down,
-        .pointer = {part_of(window->pointer[0], width), part_of(window->pointer[1], height)},
+        .pointer = {fraction(window->pointer[0], width), fraction(window->pointer[1], height)},
     };
     snprintf(event->name, sizeof event->name, "%s", name);
 }
@@ -100,11 +99,11 @@ static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mo
 
 // ---- mouse ----
 
-static bool pressed(GLFWwindow* handle, int button) {
+static bool button_down(GLFWwindow* handle, int button) {
     return glfwGetMouseButton(handle, button) == GLFW_PRESS;
 }
 
-static bool either(GLFWwindow* handle, int left, int right) {
+static bool either_key(GLFWwindow* handle, int left, int right) {
     return glfwGetKey(handle, left) == GLFW_PRESS || glfwGetKey(handle, right) == GLFW_PRESS;
 }
 
@@ -126,11 +125,11 @@ static void on_pointer(GLFWwindow* handle, double x, double y) {
     window->pointer[1] = y;
 
     // left drags orbit; right and middle ones, or left with shift, pan; with control none does
-    const bool left = pressed(handle, GLFW_MOUSE_BUTTON_LEFT) &&
-                      !either(handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
-    const bool shift = either(handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    const bool other =
-        pressed(handle, GLFW_MOUSE_BUTTON_RIGHT) || pressed(handle, GLFW_MOUSE_BUTTON_MIDDLE);
+    const bool left = button_down(handle, GLFW_MOUSE_BUTTON_LEFT) &&
+                      !either_key(handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+    const bool shift = either_key(handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    const bool other = button_down(handle, GLFW_MOUSE_BUTTON_RIGHT) ||
+                       button_down(handle, GLFW_MOUSE_BUTTON_MIDDLE);
     if (!left && !other)
         return;
     float* drag = other || shift ? window->input.pan : window->input.orbit;
@@ -146,7 +145,7 @@ static void on_wheel(GLFWwindow* handle, double x, double y) {
 // ---- the output ----
 
 /// Pixels may be finer than screen coordinates; the overlay's text follows whichever says so.
-static void measure(Window* window) {
+static void measure_window(Window* window) {
     Input* input = &window->input;
     int width, height;
     float across, down;
@@ -160,13 +159,13 @@ static void measure(Window* window) {
 static bool next(void* self, Input* input) {
     Window* window = self;
     glfwPollEvents();
-    measure(window);
+    measure_window(window);
 
     // nothing to draw on while it is an icon, and no hurry where the driver does not wait
     while (!glfwWindowShouldClose(window->window) &&
-           (window->input.width == 0 || glfwGetTime() - window->shown_at < FRAME_LEAST)) {
-        glfwWaitEventsTimeout(FRAME_LEAST);
-        measure(window);
+           (window->input.width == 0 || glfwGetTime() - window->shown_at < MIN_FRAME_TIME)) {
+        glfwWaitEventsTimeout(MIN_FRAME_TIME);
+        measure_window(window);
     }
     const double now = glfwGetTime();
     window->input.elapsed = now - window->shown_at;
@@ -181,7 +180,7 @@ static bool next(void* self, Input* input) {
 
 static bool late(void* self) {
     const Window* window = self;
-    return glfwGetTime() - window->shown_at > STEPS_MOST;
+    return glfwGetTime() - window->shown_at > MAX_STEPS_TIME;
 }
 
 static bool present(void* self, const Renderer* renderer, Fault* fault) {
@@ -194,41 +193,35 @@ static bool present(void* self, const Renderer* renderer, Fault* fault) {
 
 static void full_screen(void* self) {
     Window* window = self;
-    int* place = window->place;
+    int* windowed = window->windowed;
     if (glfwGetWindowMonitor(window->window)) {
-        glfwSetWindowMonitor(window->window, NULL, place[0], place[1], place[2], place[3],
-                             GLFW_DONT_CARE);
+        glfwSetWindowMonitor(window->window, NULL, windowed[0], windowed[1], windowed[2],
+                             windowed[3], GLFW_DONT_CARE);
         return;
     }
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : NULL;
     if (!mode)
         return;
-    glfwGetWindowPos(window->window, &place[0], &place[1]);
-    glfwGetWindowSize(window->window, &place[2], &place[3]);
+    glfwGetWindowPos(window->window, &windowed[0], &windowed[1]);
+    glfwGetWindowSize(window->window, &windowed[2], &windowed[3]);
     glfwSetWindowMonitor(window->window, monitor, 0, 0, mode->width, mode->height,
                          mode->refreshRate);
 }
 
-static bool close_window(void* self, bool whole, Fault* fault) {
+static bool close_window(void* self, bool complete, Fault* fault) {
     (void)fault;
     Window* window = self;
     glfwDestroyWindow(window->window);
     glfwTerminate();
     free(window);
-    return whole;
+    return complete;
 }
 
 static const char* glfw_says(void) {
     const char* text = NULL;
     glfwGetError(&text);
     return text ? text : "no reason given";
-}
-
-bool show_has_display(void) {
-    const bool has = glfwInit();
-    glfwTerminate();
-    return has;
 }
 
 bool output_window(Output* output, const char* title, int width, int height, Fault* fault) {

@@ -9,8 +9,8 @@ long pacer_steps(double time, double step) {
     return (long)floor(time / step * (1 + 1e-3 * ROUNDING) + ROUNDING);
 }
 
-Pacer pacer_make(double step, double most) {
-    return (Pacer){.step = step, .most = most, .slow = 1};
+Pacer pacer_make(double step, double frame_max) {
+    return (Pacer){.step = step, .frame_max = frame_max, .slowdown = 1};
 }
 
 long pacer_due(Pacer* pacer, double elapsed) {
@@ -20,18 +20,18 @@ long pacer_due(Pacer* pacer, double elapsed) {
         return single;
 
     // counted from one start, so that rounding does not add up over frames
-    pacer->passed += fmin(fmax(elapsed, 0), pacer->most) / pacer->slow;
-    const long due = pacer_steps(pacer->passed, pacer->step) - pacer->given;
-    pacer->given += due;
+    pacer->world_time += fmin(fmax(elapsed, 0), pacer->frame_max) / pacer->slowdown;
+    const long due = pacer_steps(pacer->world_time, pacer->step) - pacer->steps_due;
+    pacer->steps_due += due;
     return due + single;
 }
 
 void pacer_slower(Pacer* pacer) {
-    if (pacer->slow < PACER_SLOWEST)
-        pacer->slow *= 2;
+    if (pacer->slowdown < PACER_SLOWEST)
+        pacer->slowdown *= 2;
 }
 
 void pacer_faster(Pacer* pacer) {
-    if (pacer->slow > 1)
-        pacer->slow /= 2;
+    if (pacer->slowdown > 1)
+        pacer->slowdown /= 2;
 }

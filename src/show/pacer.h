@@ -11,16 +11,16 @@
 enum { PACER_SLOWEST = 16 }; ///< least speed is 1/16
 
 typedef struct Pacer {
-    double step;   ///< h [s] of the world
-    double most;   ///< of a frame's time that counts [s]; INFINITY: all of it
-    double passed; ///< world time that has passed since it was made [s]
-    long given;    ///< steps handed out since then
-    int slow;      ///< 1, 2, 4, 8, 16: the world runs this many times slower
+    double step;       ///< h [s] of the world
+    double frame_max;  ///< of a frame's time that counts [s]; INFINITY: all of it
+    double world_time; ///< world time that has passed since it was made [s]
+    long steps_due;    ///< steps handed out since then
+    int slowdown;      ///< 1, 2, 4, 8, 16: the world runs this many times slower
     bool paused;
     int single; ///< steps asked for by hand, which are due even while paused
 } Pacer;
 
-Pacer pacer_make(double step, double most);
+Pacer pacer_make(double step, double frame_max);
 
 /// Steps due after a frame that took `elapsed` seconds of wall time. They count as made: who has no
 /// time to make them all leaves the rest.

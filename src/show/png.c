@@ -49,18 +49,18 @@ static bool write_to(FILE* out, const unsigned char* rgb, int width, int height)
 bool png_write_rgb(const char* file, const unsigned char* rgb, int width, int height,
                    Fault* fault) {
     // whole or not at all: a name of its own until it is written
-    char part[1024];
-    if (snprintf(part, sizeof part, "%s.part", file) >= (int)sizeof part)
+    char temporary[1024];
+    if (snprintf(temporary, sizeof temporary, "%s.part", file) >= (int)sizeof temporary)
         return fault_set(fault, file, "the name is too long");
-    FILE* out = fopen(part, "wb");
+    FILE* out = fopen(temporary, "wb");
     if (!out)
         return fault_set(fault, file, "cannot be written: %s", strerror(errno));
 
     bool good = write_to(out, rgb, width, height);
     good = fclose(out) == 0 && good;
-    if (good && rename(part, file) == 0)
+    if (good && rename(temporary, file) == 0)
         return true;
     fault_set(fault, file, "cannot be written: %s", strerror(errno));
-    remove(part);
+    remove(temporary);
     return false;
 }

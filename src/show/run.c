@@ -145,7 +145,7 @@ bool run(World* world, const RunOptions* options, Fault* fault) {
                1e3 * spent / came);
     if (good && options->ghost && !options->quiet) {
         char words[200];
-        ghost_words(options->ghost, world, words, sizeof words);
+        ghost_summary(options->ghost, world, words, sizeof words);
         fprintf(csv == stdout ? stderr : stdout, "%s\n", words);
     }
     session_close(&session);

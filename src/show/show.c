@@ -13,9 +13,11 @@ ShowOptions show_options_default(void) {
 }
 
 bool show_play(World* world, const ShowOptions* options, Fault* fault) {
-    App app = {.options = options, .pacer = {.slow = 1, .most = WINDOW_MOST}, .last = LONG_MAX};
+    App app = {.options = options,
+               .pacer = {.slowdown = 1, .frame_max = WINDOW_MOST},
+               .end_step = LONG_MAX};
     if (options->seconds > 0)
-        app.last = pacer_steps(options->seconds, world->step);
+        app.end_step = pacer_steps(options->seconds, world->step);
     if (!app_begin(&app, world, fault))
         return false;
     if (!output_window(&app.output, "balloon", options->width, options->height, fault)) {
@@ -41,7 +43,8 @@ static bool finish(App* app, double seconds, Fault* fault) {
 }
 
 bool show_render(World* world, const ShowOptions* options, Fault* fault) {
-    App app = {.options = options, .pacer = {.slow = 1, .most = INFINITY}, .last = LONG_MAX};
+    App app = {
+        .options = options, .pacer = {.slowdown = 1, .frame_max = INFINITY}, .end_step = LONG_MAX};
     const FramesDef frames = {
         .out = options->out,
         .width = options->width,

@@ -26,7 +26,7 @@ typedef struct ShowOptions {
     Stages* stages;          ///< where the stages of the last frames go; NULL: nowhere
     bool time;               ///< print the mean time of a frame's stages in the end
     bool quiet;              ///< no progress and notices on stderr
-    bool lab;                ///< the lab's page is drawn
+    bool lab;                ///< the lab's panel is drawn
     bool overlay;            ///< status box and sentences are drawn; a bad state is always said
 } ShowOptions;
 
@@ -40,8 +40,5 @@ bool show_play(World* world, const ShowOptions* options, Fault* fault);
 /// Render the world to options->out, and say where. A state that went bad is a fault, but the
 /// frames that show it stay.
 bool show_render(World* world, const ShowOptions* options, Fault* fault);
-
-/// Whether a window can be opened here.
-bool show_has_display(void);
 
 #endif

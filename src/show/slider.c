@@ -18,7 +18,7 @@ void slider_open(Slider* slider, const World* world, const SceneSet* set, int se
         slider->front = new_array(const AdvicePoint*, slider->advice.count);
         const int all = advise_front(&slider->advice, slider->front);
         const char* own = sizeof(real) == sizeof(double) ? "double" : "float";
-        for (int k = 0; k < all && slider->notches < PAGE_NOTCHES; k++)
+        for (int k = 0; k < all && slider->notches < LAB_NOTCHES; k++)
             if (strcmp(slider->front[k]->precision, own) == 0)
                 slider->front[slider->notches++] = slider->front[k];
     }
@@ -46,31 +46,31 @@ void slider_sets(const Slider* slider, const World* begun, int notch, Overrides*
     advise_sets(begun, slider->front[notch - 1], sets);
 }
 
-__attribute__((format(printf, 2, 3))) static void say(PageSlider* page, const char* format, ...) {
+__attribute__((format(printf, 2, 3))) static void say(LabSlider* panel, const char* format, ...) {
     va_list list;
     va_start(list, format);
-    vsnprintf(page->line[page->lines++], sizeof page->line[0], format, list);
+    vsnprintf(panel->line[panel->lines++], sizeof panel->line[0], format, list);
     va_end(list);
 }
 
-void slider_take(const Slider* slider, const World* world, int notch, bool timed,
-                 PageSlider* page) {
-    page->notches = slider->notches;
-    page->at = notch;
-    page->lines = 0;
+void slider_fill(const Slider* slider, const World* world, int notch, bool timed,
+                 LabSlider* panel) {
+    panel->notches = slider->notches;
+    panel->at = notch;
+    panel->lines = 0;
     if (slider->notches == 0) {
-        say(page, "not measured here yet:");
-        say(page, "balloon advise SCENE --budget 4ms");
+        say(panel, "not measured here yet:");
+        say(panel, "balloon advise SCENE --budget 4ms");
         return;
     }
-    say(page, "%s, step %.3g ms, %d points", world->method->name, 1e3 * world->step,
+    say(panel, "%s, step %.3g ms, %d points", world->method->name, 1e3 * world->step,
         world->balloon[0].body.count);
     if (notch > 0) {
         const AdvicePoint* point = slider->front[notch - 1];
-        say(page, "expected: %.2g %% off, %.2g ms a frame",
+        say(panel, "expected: %.2g %% off, %.2g ms a frame",
             100 * advise_promise(&slider->advice, point), point->ms);
     } else {
-        say(page, "the scene as it is");
+        say(panel, "the scene as it is");
     }
     char off[32] = "not yet known", cost[32] = "";
     if (isfinite(slider->error))
@@ -78,7 +78,7 @@ void slider_take(const Slider* slider, const World* world, int notch, bool timed
     if (timed && world->step_count > 0)
         snprintf(cost, sizeof cost, ", %.2g ms a frame",
                  slider->spent / (world_time(world) * ADVISE_FPS));
-    say(page, "measured: %s%s", off, cost);
+    say(panel, "measured: %s%s", off, cost);
 }
 
 void slider_close(Slider* slider) {

@@ -5,7 +5,7 @@
 #define BALLOON_SHOW_SLIDER_H
 
 #include "lab/advice/advise.h"
-#include "view/page.h"
+#include "view/lab_panel.h"
 
 typedef struct Slider {
     Advice advice;
@@ -28,7 +28,7 @@ void slider_step(Slider* slider, const World* world, double ms);
 void slider_sets(const Slider* slider, const World* begun, int notch, Overrides* sets);
 
 /// notch: the present one, 0: none. timed: what a frame costs is said.
-void slider_take(const Slider* slider, const World* world, int notch, bool timed, PageSlider* page);
+void slider_fill(const Slider* slider, const World* world, int notch, bool timed, LabSlider* panel);
 
 void slider_close(Slider* slider);
 

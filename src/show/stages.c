@@ -13,20 +13,20 @@ double stages_now(void) {
 }
 
 void stages_begin(Stages* stages) {
-    stages->since = stages_now();
+    stages->stage_start = stages_now();
     stages->frames++;
-    memset(stages->kept[stages->frames % STAGES_KEPT], 0, sizeof *stages->kept);
+    memset(stages->recent[stages->frames % RECENT_FRAMES], 0, sizeof *stages->recent);
 }
 
 static void add(Stages* stages, Stage stage, double ms) {
     stages->ms[stage] += ms;
-    stages->kept[stages->frames % STAGES_KEPT][stage] += ms;
+    stages->recent[stages->frames % RECENT_FRAMES][stage] += ms;
 }
 
 void stages_end(Stages* stages, Stage stage) {
     const double end = stages_now();
-    add(stages, stage, end - stages->since);
-    stages->since = end;
+    add(stages, stage, end - stages->stage_start);
+    stages->stage_start = end;
 }
 
 void stages_drawn(Stages* stages, RendererTimes times) {
@@ -34,7 +34,7 @@ void stages_drawn(Stages* stages, RendererTimes times) {
     add(stages, STAGE_SHADOW, times.shadow);
     add(stages, STAGE_SCENE, times.scene);
     add(stages, STAGE_RESOLVE, times.resolve);
-    stages->since = stages_now();
+    stages->stage_start = stages_now();
 }
 
 void stages_print(const Stages* stages) {

@@ -19,12 +19,12 @@ typedef enum Stage {
 
 extern const char* const stage_name[STAGES];
 
-enum { STAGES_KEPT = 64 };
+enum { RECENT_FRAMES = 64 };
 
 typedef struct Stages {
-    double ms[STAGES];                ///< sum over the frames
-    double kept[STAGES_KEPT][STAGES]; ///< of the last frames, round and round
-    double since;                     ///< when the present stage began [ms]
+    double ms[STAGES];                    ///< sum over the frames
+    double recent[RECENT_FRAMES][STAGES]; ///< of the last frames, round and round
+    double stage_start;                   ///< when the present stage began [ms]
     long frames;
 } Stages;
 

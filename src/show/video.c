@@ -42,8 +42,8 @@ static bool spawn(Video* video, char* const* arguments, int input, Fault* fault)
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, fileno(video->said), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, fileno(video->said), STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, fileno(video->messages), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, fileno(video->messages), STDERR_FILENO);
 
     pid_t process = 0;
     const int error = posix_spawnp(&process, "ffmpeg", &actions, NULL, arguments, environ);
@@ -64,7 +64,7 @@ static bool start(Video* video, const VideoFormat* format, int width, int height
     char size[32], rate[32], target[1040];
     snprintf(size, sizeof size, "%dx%d", width, height);
     snprintf(rate, sizeof rate, "%.10g", fps);
-    snprintf(target, sizeof target, "file:%s", video->part);
+    snprintf(target, sizeof target, "file:%s", video->temporary);
     const char* const before[] = {"ffmpeg",   "-loglevel", "error",  "-nostdin", "-y", "-f",
                                   "rawvideo", "-pix_fmt",  "rgb24",  "-s",       size, "-r",
                                   rate,       "-i",        "pipe:0", "-an",      NULL};
@@ -78,8 +78,8 @@ static bool start(Video* video, const VideoFormat* format, int width, int height
     arguments[count] = NULL;
 
     int ends[2];
-    video->said = tmpfile();
-    if (!video->said || pipe(ends) != 0)
+    video->messages = tmpfile();
+    if (!video->messages || pipe(ends) != 0)
         return fault_set(fault, video->file, "no pipe to ffmpeg: %s", strerror(errno));
 
     // ffmpeg must not inherit our end of its own pipe, or it would never see it close
@@ -94,8 +94,8 @@ bool video_open(Video* video, const VideoFormat* format, const char* file, int w
                 double fps, Fault* fault) {
     *video = (Video){.frame = (size_t)width * (size_t)height * 3};
     snprintf(video->file, sizeof video->file, "%s", file);
-    snprintf(video->part, sizeof video->part, "%s.part", file);
-    FILE* probe = fopen(video->part, "wb");
+    snprintf(video->temporary, sizeof video->temporary, "%s.part", file);
+    FILE* probe = fopen(video->temporary, "wb");
     if (!probe)
         return fault_set(fault, file, "cannot be written: %s", strerror(errno));
     fclose(probe);
@@ -115,34 +115,34 @@ bool video_add(Video* video, const unsigned char* rgb, Fault* fault) {
 }
 
 /// The first line that ffmpeg said.
-static void first_line(FILE* said, char* line, int size) {
-    rewind(said);
-    if (!fgets(line, size, said))
+static void first_line(FILE* messages, char* line, int size) {
+    rewind(messages);
+    if (!fgets(line, size, messages))
         snprintf(line, (size_t)size, "it does not say why");
     line[strcspn(line, "\n")] = 0;
 }
 
-bool video_close(Video* video, bool whole, Fault* fault) {
+bool video_close(Video* video, bool complete, Fault* fault) {
     if (!video->file[0])
-        return whole; // closed before
+        return complete; // closed before
     if (video->pipe)
-        whole = fclose(video->pipe) == 0 && whole;
+        complete = fclose(video->pipe) == 0 && complete;
 
     int status = 0;
     if (video->process && waitpid((pid_t)video->process, &status, 0) > 0 &&
         !(WIFEXITED(status) && WEXITSTATUS(status) == 0)) {
         char line[512];
-        first_line(video->said, line, sizeof line);
-        whole = fault_set(fault, video->file, "ffmpeg failed: %s", line);
+        first_line(video->messages, line, sizeof line);
+        complete = fault_set(fault, video->file, "ffmpeg failed: %s", line);
     }
-    if (whole && rename(video->part, video->file) != 0)
-        whole = fault_set(fault, video->file, "cannot be written: %s", strerror(errno));
-    if (!whole) {
+    if (complete && rename(video->temporary, video->file) != 0)
+        complete = fault_set(fault, video->file, "cannot be written: %s", strerror(errno));
+    if (!complete) {
         fault_set(fault, video->file, "the video could not be finished");
-        remove(video->part);
+        remove(video->temporary);
     }
-    if (video->said)
-        fclose(video->said);
+    if (video->messages)
+        fclose(video->messages);
     *video = (Video){0};
-    return whole;
+    return complete;
 }

@@ -18,12 +18,12 @@ extern const int video_count;
 const VideoFormat* video_find(const char* file);
 
 typedef struct Video {
-    FILE* pipe;   ///< raw frames, to ffmpeg
-    FILE* said;   ///< what ffmpeg has to say, for our own sentence
-    long process; ///< ffmpeg's process id; 0: none
-    size_t frame; ///< [bytes] of a frame
+    FILE* pipe;     ///< raw frames, to ffmpeg
+    FILE* messages; ///< what ffmpeg has to say, for our own sentence
+    long process;   ///< ffmpeg's process id; 0: none
+    size_t frame;   ///< [bytes] of a frame
     char file[900];
-    char part[1024]; ///< the name until it is whole
+    char temporary[1024]; ///< the name until it is whole
 } Video;
 
 /// Start ffmpeg. A missing ffmpeg and a file that cannot be written are faults.
@@ -33,7 +33,7 @@ bool video_open(Video* video, const VideoFormat* format, const char* file, int w
 /// rgb: [height * width * 3], upper row first.
 bool video_add(Video* video, const unsigned char* rgb, Fault* fault);
 
-/// End the video and wait for ffmpeg. If it fails, or `whole` is false, no file is left.
-bool video_close(Video* video, bool whole, Fault* fault);
+/// End the video and wait for ffmpeg. If it fails, or `complete` is false, no file is left.
+bool video_close(Video* video, bool complete, Fault* fault);
 
 #endif

@@ -7,14 +7,14 @@
 #include "lab/run/overrides.h"
 
 /// "--set guard="off" --set step=0.004 …": what the log needs beside its scene.
-static void say_how(const SceneSet* set, int count, char* how, size_t size) {
+static void describe_overrides(const SceneSet* set, int count, char* how, size_t size) {
     size_t used = (size_t)snprintf(how, size, "with");
     for (int k = 0; k < count && used < size; k++)
         used += (size_t)snprintf(how + used, size - used, " --set '%s'", set[k].text);
 }
 
 /// The eye, the display mode and the choice stay.
-static bool change(App* app, const SceneSet* set, int count, const char* how) {
+static bool reload_scene(App* app, const SceneSet* set, int count, const char* how) {
     const Camera camera = app->camera;
     const Mode* mode = app->mode;
     char file[512];
@@ -29,7 +29,7 @@ static bool change(App* app, const SceneSet* set, int count, const char* how) {
     return true;
 }
 
-void app_watch(App* app) {
+void app_watch_cell(App* app) {
     char how[MAP_WORDS * (MAP_WORD + 10)];
     MapSets sets;
     SceneSet word[MAP_WORDS];
@@ -37,12 +37,12 @@ void app_watch(App* app) {
         app_say(app, "g shows the lab's map, on which to choose");
         return;
     }
-    const PageMap* map = &app->lab->page.map;
+    const LabMap* map = &app->lab->panel.map;
     map_sets(&app->lab->map, map->chosen[0], map->chosen[1], &sets);
     for (int k = 0; k < sets.words; k++)
         word[k].text = sets.word[k];
-    say_how(word, sets.words, how, sizeof how);
-    if (!change(app, sets.set, sets.count, how))
+    describe_overrides(word, sets.words, how, sizeof how);
+    if (!reload_scene(app, sets.set, sets.count, how))
         return;
     app->watching = true;
     app->notch = 0;
@@ -50,8 +50,8 @@ void app_watch(App* app) {
             1e3 * app->world->step, map_stiffness(map->chosen[0]));
 }
 
-void app_watch_no_more(App* app) {
-    if ((app->watching || app->notch > 0) && change(app, app->set, app->set_count, NULL)) {
+void app_restore_scene(App* app) {
+    if ((app->watching || app->notch > 0) && reload_scene(app, app->set, app->set_count, NULL)) {
         app->watching = false;
         app->notch = 0;
         app_say(app, "the scene as it was");
@@ -59,7 +59,7 @@ void app_watch_no_more(App* app) {
 }
 
 /// What the scene as it was begun must be told for a notch. False where it does not load any more.
-static bool sets_of(const App* app, int notch, Overrides* sets, Fault* fault) {
+static bool notch_overrides(const App* app, int notch, Overrides* sets, Fault* fault) {
     WorldDef def;
     World begun; // the mesh's levels are counted from it
     if (!scene_load(app->world->def.file, app->set, app->set_count, &def, fault) ||
@@ -70,7 +70,7 @@ static bool sets_of(const App* app, int notch, Overrides* sets, Fault* fault) {
     return true;
 }
 
-void app_slide(App* app, int notch) {
+void app_select_notch(App* app, int notch) {
     if (!app->lab || app->lab->slider.notches == 0) {
         app_say(app, app->lab ? "nothing is measured of this scene yet: balloon advise"
                               : "g shows the lab, with its slider");
@@ -84,7 +84,7 @@ void app_slide(App* app, int notch) {
     Fault fault = {0};
     if (notch == app->notch)
         return;
-    if (!sets_of(app, notch, &sets, &fault)) {
+    if (!notch_overrides(app, notch, &sets, &fault)) {
         app_say(app, "%s: %s", fault.place, fault.text);
         return;
     }
@@ -94,8 +94,8 @@ void app_slide(App* app, int notch) {
     const int own = count;
     for (int k = 0; k < sets.count; k++)
         set[count++].text = sets.text[k];
-    say_how(set + own, sets.count, how, sizeof how);
-    if (!change(app, set, count, how))
+    describe_overrides(set + own, sets.count, how, sizeof how);
+    if (!reload_scene(app, set, count, how))
         return;
     app->watching = false;
     app->notch = notch;

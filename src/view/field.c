@@ -23,7 +23,7 @@ static bool tint(PictureSkin* skin, const float range[2]) {
     return changed;
 }
 
-void field_take(Picture* picture, const World* world, const Mode* mode) {
+void field_update(Picture* picture, const World* world, const Mode* mode) {
     double low = INFINITY, high = -INFINITY;
     for (int b = 0; b < world->balloon_count; b++)
         if (mode_fits(mode, &world->balloon[b])) {
@@ -57,22 +57,22 @@ void field_of_elements(PictureSkin* skin, const Body* body, ElementField* elemen
         out[i] /= skin->weight[i];
 }
 
-static const double series[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};
-enum { SERIES = sizeof series / sizeof *series };
-static const double slack = 1e-4; ///< far above float's rounding, far below what an eye sees
+static const double STEPS[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};
+enum { STEP_COUNT = sizeof STEPS / sizeof *STEPS };
+static const double ROUNDING = 1e-4; ///< far above float's rounding, far below what an eye sees
 
 double field_above(double x) {
     const double ten = pow(10, floor(log10(x)));
     int k = 0;
-    while (k < SERIES - 1 && series[k] * ten < x * (1 - slack))
+    while (k < STEP_COUNT - 1 && STEPS[k] * ten < x * (1 - ROUNDING))
         k++;
-    return series[k] * ten;
+    return STEPS[k] * ten;
 }
 
 double field_below(double x) {
     const double ten = pow(10, floor(log10(x)));
-    int k = SERIES - 1;
-    while (k > 0 && series[k] * ten > x * (1 + slack))
+    int k = STEP_COUNT - 1;
+    while (k > 0 && STEPS[k] * ten > x * (1 + ROUNDING))
         k--;
-    return series[k] * ten;
+    return STEPS[k] * ten;
 }

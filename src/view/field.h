@@ -8,7 +8,7 @@
 /// Measure the mode's field on every balloon that has it, round its least and largest number to the
 /// picture's range, and colour the points by their place within it. A range of 0 to 0 is left where
 /// no balloon has the field.
-void field_take(Picture* picture, const World* world, const Mode* mode);
+void field_update(Picture* picture, const World* world, const Mode* mode);
 
 /// What an element of rubber adds to the mean at its corners.
 typedef struct FieldShare {

@@ -5,7 +5,7 @@
 #include "view/spheres.h"
 
 // A balloon that fills the picture at rest has nowhere to grow. [parts of its size]
-static const float ROOM_TO_GROW = 0.15f;
+static const float GROWTH_MARGIN = 0.15f;
 
 static void widen(float low[3], float high[3], real4 point) {
     for (int k = 0; k < 3; k++) {
@@ -18,10 +18,10 @@ Camera framing_all(const World* world) {
     float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
     for (int b = 0; b < world->balloon_count; b++) {
         const Body* body = &world->balloon[b].body;
-        const real room = (real)ROOM_TO_GROW * (real)body->size;
+        const real margin = (real)GROWTH_MARGIN * (real)body->size;
         for (int i = 0; i < body->count; i++) {
-            widen(low, high, body->x[i] - room);
-            widen(low, high, body->x[i] + room);
+            widen(low, high, body->x[i] - margin);
+            widen(low, high, body->x[i] + margin);
         }
         for (int s = 0; s < body->string_count; s++)
             widen(low, high, body->string[s].anchor);
@@ -31,28 +31,28 @@ Camera framing_all(const World* world) {
 }
 
 /// Turn and distance for an eye at `eye`.
-static void stand(Camera* camera, const double eye[3]) {
-    double away[3], square = 0;
+static void set_eye(Camera* camera, const double eye[3]) {
+    double offset[3], square = 0;
     for (int k = 0; k < 3; k++) {
-        away[k] = eye[k] - (double)camera->target[k];
-        square += away[k] * away[k];
+        offset[k] = eye[k] - (double)camera->target[k];
+        square += offset[k] * offset[k];
     }
     const double distance = sqrt(square);
     if (!(distance > 0))
         return;
     camera->distance = (float)distance;
-    camera->yaw = (float)atan2(away[0], away[2]);
-    camera->pitch = (float)asin(away[1] / distance);
+    camera->yaw = (float)atan2(offset[0], offset[2]);
+    camera->pitch = (float)asin(offset[1] / distance);
     camera_orbit(camera, 0, 0); // holds the pitch within its limits
 }
 
 Camera framing_first(const World* world) {
     Camera camera = framing_all(world);
-    const CameraDef* given = world->def.camera;
-    if (given && given->look)
+    const CameraDef* def = world->def.camera;
+    if (def && def->look)
         for (int k = 0; k < 3; k++)
-            camera.target[k] = (float)given->look[k];
-    if (given && given->eye)
-        stand(&camera, given->eye);
+            camera.target[k] = (float)def->look[k];
+    if (def && def->eye)
+        set_eye(&camera, def->eye);
     return camera;
 }

@@ -11,7 +11,7 @@ static const struct Quantity {
     const char* column; ///< of the balloon; NULL: what a step cost
     const char* label;
     const char* unit;
-} quantity_table[PAGE_PLOTS] = {
+} quantity_table[LAB_PLOTS] = {
     [HISTORY_VOLUME]   = {"volume",         "volume",   ""},
     [HISTORY_PRESSURE] = {"gauge_pressure", "pressure", ""},
     [HISTORY_ENERGY]   = {"total_energy",   "energy",   ""},
@@ -27,9 +27,9 @@ void history_begin(History* history) {
     *history = (History){.balloon = NONE, .last = -1};
 }
 
-bool history_due(const History* history, const World* world, long every) {
+bool history_due(const History* history, const World* world, long interval) {
     return history->balloon != history_balloon(world) || world->step_count < history->last ||
-           world->step_count >= history->last + every;
+           world->step_count >= history->last + interval;
 }
 
 void history_add(History* history, const World* world, double ms) {
@@ -41,7 +41,7 @@ void history_add(History* history, const World* world, double ms) {
 
     const int at = history->next;
     history->t[at] = world_time(world);
-    for (int k = 0; k < PAGE_PLOTS; k++) {
+    for (int k = 0; k < LAB_PLOTS; k++) {
         char column[64];
         double* value = &history->value[k][at];
         *value = ms;
@@ -51,53 +51,53 @@ void history_add(History* history, const World* world, double ms) {
         if (!probe_value(world, column, value))
             *value = (double)NAN;
     }
-    history->next = (at + 1) % PAGE_POINTS;
-    history->count += history->count < PAGE_POINTS;
+    history->next = (at + 1) % LAB_POINTS;
+    history->count += history->count < LAB_POINTS;
 }
 
 /// Place in the ring of the k-th point from the oldest.
-static int place(const History* history, int k) {
-    return (history->next - history->count + k + PAGE_POINTS) % PAGE_POINTS;
+static int ring_index(const History* history, int k) {
+    return (history->next - history->count + k + LAB_POINTS) % LAB_POINTS;
 }
 
 double history_value(const History* history, int quantity, int k) {
-    return history->value[quantity][place(history, k)];
+    return history->value[quantity][ring_index(history, k)];
 }
 
 /// What takes so many times the median is not the step, but what came between. [1]
-static const double interrupted = 4;
+static const double SPIKE = 4;
 
 /// Spikes would leave nothing to see of the rest.
-static void cut(float* y, int count) {
-    double sorted[PAGE_POINTS];
+static void clip_spikes(float* y, int count) {
+    double sorted[LAB_POINTS];
     int known = 0;
     for (int k = 0; k < count; k++)
         if (isfinite(y[k]))
             sorted[known++] = (double)y[k];
     if (known == 0)
         return;
-    const float most = (float)(interrupted * median(sorted, known));
+    const float limit = (float)(SPIKE * median(sorted, known));
     for (int k = 0; k < count; k++)
-        if (y[k] > most)
-            y[k] = most;
+        if (y[k] > limit)
+            y[k] = limit;
 }
 
-void history_take(const History* history, Page* page) {
-    page->count = history->count;
-    page->plot_count = 0;
+void history_plot(const History* history, LabPanel* panel) {
+    panel->count = history->count;
+    panel->plot_count = 0;
     for (int k = 0; k < history->count; k++)
-        page->t[k] = (float)history->t[place(history, k)];
+        panel->t[k] = (float)history->t[ring_index(history, k)];
 
-    for (int q = 0; q < PAGE_PLOTS && history->count > 0; q++) {
+    for (int q = 0; q < LAB_PLOTS && history->count > 0; q++) {
         const double now = history_value(history, q, history->count - 1);
         if (!isfinite(now))
             continue;
-        PagePlot* plot = &page->plot[page->plot_count++];
+        LabPlot* plot = &panel->plot[panel->plot_count++];
         plot->label = quantity_table[q].label;
         snprintf(plot->value, sizeof plot->value, "%.4g%s", now, quantity_table[q].unit);
         for (int k = 0; k < history->count; k++)
             plot->y[k] = (float)history_value(history, q, k);
         if (q == HISTORY_COST)
-            cut(plot->y, history->count);
+            clip_spikes(plot->y, history->count);
     }
 }

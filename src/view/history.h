@@ -1,12 +1,12 @@
-/// What a balloon did lately: numbers over the last few seconds, for the plots of the lab's page.
+/// What a balloon did lately: numbers over the last few seconds, for the plots of the lab's panel.
 ///
-/// A point is kept every 1/rate of a second that passes on the screen, the last PAGE_POINTS of
+/// A point is kept every 1/rate of a second that passes on the screen, the last LAB_POINTS of
 /// them: 5 s at 60 a second, and less of the world's time in slow motion. A reset and another
 /// balloon begin it again.
 #ifndef BALLOON_VIEW_HISTORY_H
 #define BALLOON_VIEW_HISTORY_H
 
-#include "view/page.h"
+#include "view/lab_panel.h"
 #include "world/world.h"
 
 /// What is kept: columns of the CSV (world/probe.h), and what a step cost.
@@ -17,8 +17,8 @@ typedef struct History {
     long last; ///< step of the last point; before the first: less than 0
     int next;  ///< place of the next point in the ring
     int count;
-    double t[PAGE_POINTS];                 ///< [s]
-    double value[PAGE_PLOTS][PAGE_POINTS]; ///< NAN where the balloon has no such column
+    double t[LAB_POINTS];                ///< [s]
+    double value[LAB_PLOTS][LAB_POINTS]; ///< NAN where the balloon has no such column
 } History;
 
 /// The balloon that keys act on, or the first where they act on all.
@@ -27,7 +27,7 @@ int history_balloon(const World* world);
 void history_begin(History* history);
 
 /// Whether a point is due after this step. every: steps from one to the next.
-bool history_due(const History* history, const World* world, long every);
+bool history_due(const History* history, const World* world, long interval);
 
 /// Keep a point. ms: what a step cost; NAN: nobody has measured it.
 void history_add(History* history, const World* world, double ms);
@@ -36,6 +36,6 @@ void history_add(History* history, const World* world, double ms);
 double history_value(const History* history, int quantity, int k);
 
 /// The plots of what there is; what no point has is left out, and costs far above the rest are cut.
-void history_take(const History* history, Page* page);
+void history_plot(const History* history, LabPanel* panel);
 
 #endif

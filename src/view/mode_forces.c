@@ -1,33 +1,33 @@
 #include "view/mode.h"
-#include "view/stroke.h"
+#include "view/skin_pen.h"
 
 // Figure 26 of the mass-spring paper: the net force on each particle.
-static const double LENGTH = 4.0;  // no arrow is longer [edge lengths]
-static const double HALF = 2.0;    // this many times the mean force is half as long
-static const float WIDTH = 1.5f;   // [px at 720 lines]
-static const double HEAD = 0.25;   // [parts of the arrow's length]
-static const double SPREAD = 0.35; // half width of the head over its length
+static const double MAX_LENGTH = 4.0;        // no arrow is longer [edge lengths]
+static const double HALF_LENGTH_FORCE = 2.0; // this many times the mean force is half as long
+static const float WIDTH = 1.5f;             // [px at 720 lines]
+static const double HEAD = 0.25;             // [parts of the arrow's length]
+static const double SPREAD = 0.35;           // half width of the head over its length
 // At rest the arrows are measured by a part of a particle's weight or lift: they fade away rather
 // than magnify rounding.
-static const double LEAST = 0.25;
+static const double MIN_WEIGHT_SHARE = 0.25;
 
 /// The force that arrows are measured by. [N]
-static double measure(const Body* body) {
+static double force_scale(const Body* body) {
     double sum = 0;
     for (int i = 0; i < body->count; i++)
         sum += (double)length(body->f[i]);
     const double lift = fabs(body_helium(body)), weight = body->gravity;
-    return fmax(sum / body->count, LEAST * (double)body->mass[0] * fmax(lift, weight));
+    return fmax(sum / body->count, MIN_WEIGHT_SHARE * (double)body->mass[0] * fmax(lift, weight));
 }
 
 /// A shaft and two barbs, which lie flat as the eye sees them.
-static void arrow(const Stroke* stroke, const float from[3], double4 along, const float color[3]) {
-    const float width = stroke->thin * WIDTH;
+static void arrow(const SkinPen* pen, const float from[3], double4 along, const float color[3]) {
+    const float width = pen->width_scale * WIDTH;
     const double4 tip = (double4){from[0], from[1], from[2], 0} + along;
     const float to[3] = {(float)tip[0], (float)tip[1], (float)tip[2]};
-    picture_line(stroke->picture, from, to, color, width);
+    picture_line(pen->picture, from, to, color, width);
 
-    const double4 sight = (double4){stroke->eye[0], stroke->eye[1], stroke->eye[2], 0} - tip;
+    const double4 sight = (double4){pen->eye[0], pen->eye[1], pen->eye[2], 0} - tip;
     const double4 across = dcross(along, sight);
     const double size = dlength(across);
     if (!(size > 0))
@@ -36,7 +36,7 @@ static void arrow(const Stroke* stroke, const float from[3], double4 along, cons
         const double4 wide = SPREAD * side * dlength(along) / size * across;
         const double4 barb = tip - HEAD * (along + wide);
         const float end[3] = {(float)barb[0], (float)barb[1], (float)barb[2]};
-        picture_line(stroke->picture, to, end, color, width);
+        picture_line(pen->picture, to, end, color, width);
     }
 }
 
@@ -47,15 +47,15 @@ static bool outward(const float normal[3], real4 force) {
 /// Long forces are shortened, so that the one where a string pulls leaves the others to be seen.
 static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
     const Body* body = &balloon->body;
-    const double half = HALF * measure(body);
+    const double half = HALF_LENGTH_FORCE * force_scale(body);
     if (!(half > 0))
         return;
-    const Stroke stroke = stroke_on(picture, skin, balloon);
+    const SkinPen pen = skin_pen_on(picture, skin, balloon);
     for (int i = 0; i < skin->point_count; i++) {
         const double force = (double)length(body->f[i]);
-        const double scale = LENGTH * (double)stroke.grain / (force + half);
-        arrow(&stroke, skin->position[i], scale * to_double4(body->f[i]),
-              outward(skin->normal[i], body->f[i]) ? STROKE_RED : STROKE_BLUE);
+        const double scale = MAX_LENGTH * (double)pen.edge_length / (force + half);
+        arrow(&pen, skin->position[i], scale * to_double4(body->f[i]),
+              outward(skin->normal[i], body->f[i]) ? PEN_RED : PEN_BLUE);
     }
 }
 

@@ -1,13 +1,13 @@
 #include "view/mode.h"
 
 #include "view/color.h"
-#include "view/stroke.h"
+#include "view/skin_pen.h"
 
 static const float WIDTH = 1.1f;  // [px at 720 lines]
 static const float LENGTH = 0.8f; // [edge lengths]
 
 static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
-    const Stroke stroke = stroke_on(picture, skin, balloon);
+    const SkinPen pen = skin_pen_on(picture, skin, balloon);
     for (int i = 0; i < skin->point_count; i++) {
         // -1…1 along x, y, z as red, green, blue
         float shade[3], tip[3];
@@ -15,9 +15,9 @@ static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
             shade[k] = 0.5f + 0.5f * skin->normal[i][k];
         color_linear(shade, skin->tint[i]);
 
-        stroke_above(&stroke, i, LENGTH, tip);
-        if (!stroke_hidden(&stroke, i))
-            picture_line(picture, skin->position[i], tip, STROKE_BLACK, stroke.thin * WIDTH);
+        skin_pen_above(&pen, i, LENGTH, tip);
+        if (!skin_pen_hidden(&pen, i))
+            picture_line(picture, skin->position[i], tip, PEN_BLACK, pen.width_scale * WIDTH);
     }
 }
 

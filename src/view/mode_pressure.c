@@ -1,14 +1,14 @@
 #include "mesh/measure.h"
 #include "view/field.h"
 #include "view/mode.h"
-#include "view/stroke.h"
+#include "view/skin_pen.h"
 
-// Figure 5 of the thin-shell paper: where the skin is strongly curved, the pushes on the faces
+// Figure 5 of the width_scale-shell paper: where the skin is strongly curved, the pushes on the faces
 // around a particle cancel in part, and it is pushed less.
 static const float LENGTH = 2.0f; // the longest hair [edge lengths]
 static const float WIDTH = 1.0f;  // [px at 720 lines]
 
-enum { HAIRS_MOST = 4000 }; ///< with more particles, hairs would hide the colours
+enum { MAX_HAIRS = 4000 }; ///< with more particles, hairs would hide the colours
 
 static bool fits(const Balloon* balloon) {
     return balloon->body.inflation.law != INFLATE_NONE;
@@ -31,23 +31,23 @@ static void range(double* low, double* high) {
 }
 
 static int lines(const Balloon* balloon) {
-    return balloon->mesh.point_count <= HAIRS_MOST ? balloon->mesh.point_count : 0;
+    return balloon->mesh.point_count <= MAX_HAIRS ? balloon->mesh.point_count : 0;
 }
 
 static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
     if (lines(balloon) == 0)
         return;
-    const Stroke stroke = stroke_on(picture, skin, balloon);
+    const SkinPen pen = skin_pen_on(picture, skin, balloon);
     const double pressure = balloon_pressure(balloon);
-    const double scale = (double)(LENGTH * stroke.grain / picture->range[1]);
+    const double scale = (double)(LENGTH * pen.edge_length / picture->range[1]);
     for (int i = 0; i < skin->point_count; i++) {
-        if (stroke_hidden(&stroke, i))
+        if (skin_pen_hidden(&pen, i))
             continue;
         const double4 hair = scale * push(balloon, pressure, i);
         float tip[3];
         for (int k = 0; k < 3; k++)
             tip[k] = skin->position[i][k] + (float)hair[k];
-        picture_line(picture, skin->position[i], tip, STROKE_BLACK, stroke.thin * WIDTH);
+        picture_line(picture, skin->position[i], tip, PEN_BLACK, pen.width_scale * WIDTH);
     }
 }
 

@@ -1,13 +1,13 @@
 #include "view/mode.h"
-#include "view/stroke.h"
+#include "view/skin_pen.h"
 
 static const float WIDTH = 1.1f;  // [px at 720 lines]
 static const float RAISE = 0.02f; // [edge lengths]
 
 static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
-    const Stroke stroke = stroke_on(picture, skin, balloon);
+    const SkinPen pen = skin_pen_on(picture, skin, balloon);
     for (int e = 0; e < balloon->mesh.edge_count; e++)
-        stroke_line(&stroke, balloon->mesh.edge[e], RAISE, STROKE_BLACK, WIDTH);
+        skin_pen_line(&pen, balloon->mesh.edge[e], RAISE, PEN_BLACK, WIDTH);
 }
 
 static int lines(const Balloon* balloon) {

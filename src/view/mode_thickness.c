@@ -1,8 +1,8 @@
 #include "view/field.h"
 #include "view/mode.h"
 
-static const double nothing = 1e-25; ///< [m^2]
-static const double least = 1e-6;    ///< the scale's upper end is no less [mm]
+static const double MIN_AREA = 1e-25; ///< [m^2]
+static const double MIN_TOP = 1e-6;   ///< the scale's upper end is no less [mm]
 
 static bool fits(const Balloon* balloon) {
     return balloon->body.membrane.count > 0;
@@ -11,8 +11,8 @@ static bool fits(const Balloon* balloon) {
 /// The rubber of the elements at a point over their area, in millimetres.
 static FieldShare element(const Membrane* membrane, const real4* x, int e) {
     const double area = membrane_share(membrane, e) * membrane_area(membrane, x, e);
-    if (!(area > nothing)) // folded to a line: it counts only where nothing else does
-        return (FieldShare){1000 * nothing * (double)membrane->first[e], nothing};
+    if (!(area > MIN_AREA)) // folded to a line: it counts only where MIN_AREA else does
+        return (FieldShare){1000 * MIN_AREA * (double)membrane->first[e], MIN_AREA};
     return (FieldShare){1000 * membrane_thickness(membrane, x, e) * area, area};
 }
 
@@ -21,9 +21,9 @@ static void measure(PictureSkin* skin, const Balloon* balloon) {
 }
 
 static void range(double* low, double* high) {
-    // volume rule global lets thicknesses drift, below nothing too
+    // volume rule global lets thicknesses drift, below MIN_AREA too
     *low = *low > 0 ? field_below(*low) : *low < 0 ? -field_above(-*low) : 0;
-    *high = field_above(fmax(*high, least));
+    *high = field_above(fmax(*high, MIN_TOP));
     if (*high <= *low) // one thickness everywhere, and on the series
         *low = field_below(0.99 * *low);
 }

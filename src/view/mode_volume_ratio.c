@@ -1,7 +1,8 @@
 #include "view/field.h"
 #include "view/mode.h"
 
-static const double LEAST = 0.001; ///< half a range is no less, so that rounding is not magnified
+static const double MIN_HALF =
+    0.001; ///< half a range is no less, so that rounding is not magnified
 
 static bool fits(const Balloon* balloon) {
     return balloon->body.membrane.count > 0;
@@ -20,7 +21,7 @@ static void measure(PictureSkin* skin, const Balloon* balloon) {
 
 /// As much below 1 as above it.
 static void range(double* low, double* high) {
-    const double half = field_above(fmax(fmax(1 - *low, *high - 1), LEAST));
+    const double half = field_above(fmax(fmax(1 - *low, *high - 1), MIN_HALF));
     *low = 1 - half;
     *high = 1 + half;
 }

@@ -8,29 +8,29 @@
 #include "base/memory.h"
 #include "view/field.h"
 #include "view/mode.h"
-#include "view/rope.h"
+#include "view/string_lines.h"
 #include "view/spheres.h"
 #include "view/surface.h"
 #include "world/world.h"
 
 /// Most lines and balls of a balloon, over all modes.
-static int most_of(const Balloon* balloon, bool balls) {
-    int most = 0;
+static int max_count(const Balloon* balloon, bool balls) {
+    int max = 0;
     for (int m = 0; m < mode_count; m++) {
         int (*count)(const Balloon*) = balls ? mode_table[m]->balls : mode_table[m]->lines;
         const int here = count ? count(balloon) : 0;
-        most = here > most ? here : most;
+        max = here > max ? here : max;
     }
-    return most;
+    return max;
 }
 
 /// Room for knots, what a mode draws, and all balls there are; what is there is not kept.
-static void make_room(Picture* picture, int spheres) {
-    if (picture->ball && picture->ball_own + spheres <= picture->ball_room)
+static void ensure_capacity(Picture* picture, int spheres) {
+    if (picture->ball && picture->ball_reserved + spheres <= picture->ball_capacity)
         return;
     free(picture->ball);
-    picture->ball_room = picture->ball_own + 2 * spheres;
-    picture->ball = new_array(PictureBall, picture->ball_room);
+    picture->ball_capacity = picture->ball_reserved + 2 * spheres;
+    picture->ball = new_array(PictureBall, picture->ball_capacity);
 }
 
 void picture_open(Picture* picture, const World* world) {
@@ -45,11 +45,11 @@ void picture_open(Picture* picture, const World* world) {
         surface_open(&picture->skin[b], balloon);
         // the string key ties one string to a balloon that has none
         const int strings = balloon->strings > 0 ? balloon->strings : 1;
-        picture->line_room += most_of(balloon, false) + ROPE_SEGMENTS * strings;
-        picture->ball_own += most_of(balloon, true) + ROPE_KNOTS * strings;
+        picture->line_capacity += max_count(balloon, false) + STRING_SEGMENTS * strings;
+        picture->ball_reserved += max_count(balloon, true) + STRING_KNOTS * strings;
     }
-    picture->line = new_array(PictureLine, picture->line_room);
-    make_room(picture, world->contacts.sphere_count);
+    picture->line = new_array(PictureLine, picture->line_capacity);
+    ensure_capacity(picture, world->contacts.sphere_count);
 }
 
 void picture_ghost(Picture* picture, const World* ghost) {
@@ -99,12 +99,12 @@ static long next_stamp(void) {
     return ++stamp;
 }
 
-void picture_take(Picture* picture, const World* world, const Camera* camera, const Mode* mode) {
+void picture_update(Picture* picture, const World* world, const Camera* camera, const Mode* mode) {
     const int balls = picture->ball_count;
     picture->camera = *camera;
     picture->line_count = picture->ball_count = 0;
     picture->changed = picture->stamp == 0; // nothing was taken yet
-    make_room(picture, world->contacts.sphere_count);
+    ensure_capacity(picture, world->contacts.sphere_count);
 
     for (int b = 0; b < world->balloon_count; b++) {
         PictureSkin* skin = &picture->skin[b];
@@ -113,17 +113,17 @@ void picture_take(Picture* picture, const World* world, const Camera* camera, co
         picture->changed |= paint != skin->paint || selected != skin->selected;
         skin->paint = paint;
         skin->selected = selected;
-        picture->changed |= surface_take(skin, &world->balloon[b]);
-        rope_take(picture, &world->balloon[b]);
+        picture->changed |= surface_update(skin, &world->balloon[b]);
+        string_lines_add(picture, &world->balloon[b]);
     }
     for (int b = 0; picture->ghost && b < picture->ghost->balloon_count; b++)
         picture->changed |=
-            surface_take(&picture->skin[world->balloon_count + b], &picture->ghost->balloon[b]);
+            surface_update(&picture->skin[world->balloon_count + b], &picture->ghost->balloon[b]);
     bound(picture, world);
-    spheres_take(picture, world);
+    spheres_add(picture, world);
 
     if (mode->measure)
-        field_take(picture, world, mode);
+        field_update(picture, world, mode);
     for (int b = 0; mode->fill && b < world->balloon_count; b++)
         if (mode_fits(mode, &world->balloon[b]))
             mode->fill(picture, &picture->skin[b], &world->balloon[b]);
@@ -133,7 +133,7 @@ void picture_take(Picture* picture, const World* world, const Camera* camera, co
 
 void picture_line(Picture* picture, const float from[3], const float to[3], const float color[3],
                   float width) {
-    ASSERT(picture->line_count < picture->line_room, "each mode says how many lines it draws");
+    ASSERT(picture->line_count < picture->line_capacity, "each mode says how many lines it draws");
     picture->line[picture->line_count++] = (PictureLine){
         .from = {from[0], from[1], from[2]},
         .to = {to[0], to[1], to[2]},
@@ -143,7 +143,7 @@ void picture_line(Picture* picture, const float from[3], const float to[3], cons
 }
 
 void picture_ball(Picture* picture, const float center[3], float radius, const float color[3]) {
-    ASSERT(picture->ball_count < picture->ball_room, "each mode says how many balls it draws");
+    ASSERT(picture->ball_count < picture->ball_capacity, "each mode says how many balls it draws");
     const PictureBall ball = {
         .center = {center[0], center[1], center[2]},
         .radius = radius,

@@ -3,7 +3,7 @@
 ///
 ///     Picture picture = {0};
 ///     picture_open(&picture, world);                    // room for all that a world can show
-///     picture_take(&picture, world, &camera, mode);     // each frame
+///     picture_update(&picture, world, &camera, mode);     // each frame
 ///     renderer_draw(renderer, &picture);
 ///     picture_close(&picture);                          // and picture_open for the next world
 ///
@@ -40,7 +40,7 @@ typedef struct PictureSkin {
     float color[3];   ///< linear colour of the unstretched rubber
     SkinPaint paint;
     bool two_sided; ///< an open skin: its inside is drawn too
-    bool taken;     ///< normals and stretch are those of the positions
+    bool computed;  ///< normals and stretch are those of the positions
     bool selected;  ///< drawn with a soft outline glow
 } PictureSkin;
 
@@ -67,13 +67,13 @@ typedef struct Picture {
     PictureSkin* skin;         ///< [skin_count] the world's, then the ghost's
     const struct World* ghost; ///< NULL: there is none
     int line_count;
-    int line_room;
-    PictureLine* line; ///< [line_room]
+    int line_capacity;
+    PictureLine* line; ///< [line_capacity]
     int ball_count;
-    int ball_room;
-    float range[2]; ///< ends of the colours' scale in a mode that has one
-    int ball_own;   ///< of the room: for knots and display modes; the world's balls have the rest
-    PictureBall* ball; ///< [ball_room]
+    int ball_capacity;
+    float range[2];    ///< ends of the colours' scale in a mode that has one
+    int ball_reserved; ///< of the room: for knots and display modes; the world's balls have the rest
+    PictureBall* ball; ///< [ball_capacity]
     bool floor;
     float floor_height;
     float scene_center[3]; ///< middle of all skins, knots and balls that are near them, where the
@@ -93,8 +93,8 @@ void picture_ghost(Picture* picture, const struct World* ghost);
 
 /// Fill the picture from the world's present state. Balls come after the knots, in their order.
 /// What has not moved since the last time is not computed again.
-void picture_take(Picture* picture, const struct World* world, const Camera* camera,
-                  const struct Mode* mode);
+void picture_update(Picture* picture, const struct World* world, const Camera* camera,
+                    const struct Mode* mode);
 
 void picture_close(Picture* picture);
 

@@ -15,7 +15,7 @@ enum { COLORS = sizeof PALETTE / sizeof *PALETTE };
 // A ball is near a scene up to this far from its middle. [half diagonals of its box]
 static const float NEAR = 2;
 
-void spheres_take(Picture* picture, const World* world) {
+void spheres_add(Picture* picture, const World* world) {
     for (int s = 0; s < world->contacts.sphere_count; s++) {
         const Sphere* sphere = &world->contacts.sphere[s];
         const float center[3] = {(float)sphere->x[0], (float)sphere->x[1], (float)sphere->x[2]};

@@ -6,7 +6,7 @@
 #include "world/world.h"
 
 /// Draw all balls, each in the next colour of a palette.
-void spheres_take(Picture* picture, const World* world);
+void spheres_add(Picture* picture, const World* world);
 
 /// Widen the box of what a scene is by the balls that are near it. One that has flown away is no
 /// part of the scene any more: it would make everything else small.

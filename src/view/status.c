@@ -6,37 +6,38 @@
 #include "mesh/measure.h"
 #include "world/probe.h"
 
-static void title(Panel* panel, const World* world) {
+static void title(Overlay* overlay, const World* world) {
     const char* slash = strrchr(world->def.file, '/');
     const char* file = slash ? slash + 1 : world->def.file;
     const char* text = world->def.title ? world->def.title : file;
-    panel_text(panel->title, sizeof panel->title, text);
+    overlay_text(overlay->title, sizeof overlay->title, text);
 }
 
-static void time_rows(Panel* panel, const World* world, const Status* status) {
+static void time_rows(Overlay* overlay, const World* world, const Status* status) {
     char speed[32] = "";
     if (status->paused)
         snprintf(speed, sizeof speed, ", paused");
-    else if (status->slow > 1)
-        snprintf(speed, sizeof speed, ", 1/%d speed", status->slow);
-    panel_row(panel, "time", "%.2f s%s", world_time(world), speed);
+    else if (status->slowdown > 1)
+        snprintf(speed, sizeof speed, ", 1/%d speed", status->slowdown);
+    overlay_row(overlay, "time", "%.2f s%s", world_time(world), speed);
 
     if (world->substeps > 1)
-        panel_row(panel, "step", "%g ms in %d parts", 1000 * world->step, world->substeps);
+        overlay_row(overlay, "step", "%g ms in %d parts", 1000 * world->step, world->substeps);
     else
-        panel_row(panel, "step", "%g ms", 1000 * world->step);
+        overlay_row(overlay, "step", "%g ms", 1000 * world->step);
     if (status->frame_ms > 0)
-        panel_row(panel, "frame", "%.1f ms", status->frame_ms);
+        overlay_row(overlay, "frame", "%.1f ms", status->frame_ms);
 }
 
-static void mode_row(Panel* panel, const World* world, const Picture* picture, const Mode* mode) {
+static void mode_row(Overlay* overlay, const World* world, const Picture* picture,
+                     const Mode* mode) {
     if (!mode_fits_any(mode, world))
-        panel_row(panel, "shown", "%s, which nothing here has", mode->name);
+        overlay_row(overlay, "shown", "%s, which nothing here has", mode->name);
     else if (mode->measure)
-        panel_row(panel, "shown", "%s, %g to %g%s", mode->name, (double)picture->range[0],
-                  (double)picture->range[1], mode->unit);
+        overlay_row(overlay, "shown", "%s, %g to %g%s", mode->name, (double)picture->range[0],
+                    (double)picture->range[1], mode->unit);
     else
-        panel_row(panel, "shown", "%s", mode->name);
+        overlay_row(overlay, "shown", "%s", mode->name);
 }
 
 static bool gauge_pressure(const World* world, int balloon, double* value) {
@@ -45,10 +46,10 @@ static bool gauge_pressure(const World* world, int balloon, double* value) {
     return probe_value(world, column, value);
 }
 
-static void balloon_row(Panel* panel, const World* world, int b) {
+static void balloon_row(Overlay* overlay, const World* world, int b) {
     const Balloon* balloon = &world->balloon[b];
     const Inflation* inflation = &balloon->body.inflation;
-    char text[PANEL_TEXT] = "";
+    char text[OVERLAY_TEXT] = "";
     double pressure;
     size_t used = 0;
     if (inflation->law != INFLATE_NONE)
@@ -66,53 +67,54 @@ static void balloon_row(Panel* panel, const World* world, int b) {
 
     char label[32];
     snprintf(label, sizeof label, "balloon %d", b);
-    panel_row(panel, label, "%s", text);
+    overlay_row(overlay, label, "%s", text);
 }
 
 /// The balloon that keys act on. Rows for all of many would hide them.
-static void balloon_rows(Panel* panel, const World* world) {
+static void balloon_rows(Overlay* overlay, const World* world) {
     if (world->balloon_count == 1)
-        balloon_row(panel, world, 0);
+        balloon_row(overlay, world, 0);
     else if (world->selected != ALL_BALLOONS)
-        balloon_row(panel, world, world->selected);
+        balloon_row(overlay, world, world->selected);
     else
-        panel_row(panel, "balloons", "%d, tab selects one", world->balloon_count);
+        overlay_row(overlay, "balloons", "%d, tab selects one", world->balloon_count);
 }
 
 /// Balls, and what they are never to do: pass through a skin.
-static void ball_rows(Panel* panel, const World* world, const Hand* hand) {
+static void ball_rows(Overlay* overlay, const World* world, const Thrower* thrower) {
     const Contacts* contacts = &world->contacts;
     if (contacts->sphere_count == 0 && contacts->pass_throughs == 0)
         return;
-    panel_row(panel, "balls", "%d", contacts->sphere_count);
-    if (hand)
-        panel_row(panel, "next ball", "mass %g, radius %g, speed %g", hand->mass, hand->radius,
-                  hand->speed);
-    panel_row(panel, "pass-throughs", "%ld", contacts->pass_throughs);
+    overlay_row(overlay, "balls", "%d", contacts->sphere_count);
+    if (thrower)
+        overlay_row(overlay, "next ball", "mass %g, radius %g, speed %g", thrower->mass,
+                    thrower->radius, thrower->speed);
+    overlay_row(overlay, "pass-throughs", "%ld", contacts->pass_throughs);
 }
 
-/// The sentence at the lower rim: the state that went bad, else what the user is told just now,
+/// The sentence at the lower rim: the state that went bad, else what the user is user_message just now,
 /// else what must not be.
-static void message(Panel* panel, const World* world, const char* told) {
+static void message(Overlay* overlay, const World* world, const char* user_message) {
     const long count = world->contacts.pass_throughs;
-    panel->alarm = world->blowup.halted || (!told[0] && count > 0);
-    char text[sizeof panel->message] = "";
-    if (panel->alarm && !world->blowup.halted)
+    overlay->alarm = world->blowup.halted || (!user_message[0] && count > 0);
+    char text[sizeof overlay->message] = "";
+    if (overlay->alarm && !world->blowup.halted)
         snprintf(text, sizeof text, "a ball passed through a skin: pass-throughs %ld", count);
-    panel_text(panel->message, sizeof panel->message,
-               world->blowup.halted ? world->blowup.text
-               : told[0]            ? told
-                                    : text);
+    overlay_text(overlay->message, sizeof overlay->message,
+                 world->blowup.halted ? world->blowup.text
+                 : user_message[0]    ? user_message
+                                      : text);
 }
 
-void status_take(Panel* panel, const World* world, const Picture* picture, const Status* status) {
-    panel->row_count = 0;
-    title(panel, world);
-    time_rows(panel, world, status);
-    mode_row(panel, world, picture, status->mode);
-    balloon_rows(panel, world);
-    ball_rows(panel, world, status->hand);
+void status_fill(Overlay* overlay, const World* world, const Picture* picture,
+                 const Status* status) {
+    overlay->row_count = 0;
+    title(overlay, world);
+    time_rows(overlay, world, status);
+    mode_row(overlay, world, picture, status->mode);
+    balloon_rows(overlay, world);
+    ball_rows(overlay, world, status->thrower);
     if (status->compared && status->compared[0])
-        panel_row(panel, "ghost", "%s", status->compared);
-    message(panel, world, status->message);
+        overlay_row(overlay, "ghost", "%s", status->compared);
+    message(overlay, world, status->message);
 }

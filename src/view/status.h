@@ -2,17 +2,17 @@
 #ifndef BALLOON_VIEW_STATUS_H
 #define BALLOON_VIEW_STATUS_H
 
-#include "view/hand.h"
+#include "view/thrower.h"
 #include "view/mode.h"
-#include "view/panel.h"
+#include "view/overlay.h"
 #include "view/picture.h"
 #include "world/world.h"
 
 /// What the world does not know of the session around it.
 typedef struct Status {
     const Mode* mode;
-    const Hand* hand; ///< the next ball, said once there are balls; NULL: nobody throws
-    int slow;         ///< the world runs this many times slower than time
+    const Thrower* thrower; ///< the next ball, said once there are balls; NULL: nobody throws
+    int slowdown;           ///< the world runs this many times slower than time
     bool paused;
     const char* compared; ///< what is said of a ghost; "": there is none
     double frame_ms;      ///< wall time of a frame [ms]; 0: not shown
@@ -21,6 +21,7 @@ typedef struct Status {
 } Status;
 
 /// Fill title, rows, message and alarm; the boxes' visibility and the keys are the caller's.
-void status_take(Panel* panel, const World* world, const Picture* picture, const Status* status);
+void status_fill(Overlay* overlay, const World* world, const Picture* picture,
+                 const Status* status);
 
 #endif

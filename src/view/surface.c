@@ -28,7 +28,7 @@ static double rest_length(const Mesh* mesh, int edge) {
     return dlength(mesh->point[mesh->edge[edge][0]] - mesh->point[mesh->edge[edge][1]]);
 }
 
-float surface_grain(const Balloon* balloon) {
+float surface_edge_length(const Balloon* balloon) {
     const Mesh* mesh = &balloon->mesh;
     double sum = 0;
     for (int e = 0; e < mesh->edge_count; e++)
@@ -101,11 +101,11 @@ static void edge_stretches(PictureSkin* skin, const Mesh* mesh, const Body* body
     }
 }
 
-bool surface_take(PictureSkin* skin, const Balloon* balloon) {
+bool surface_update(PictureSkin* skin, const Balloon* balloon) {
     const bool moved = positions(skin, balloon->body.x);
-    if (!moved && skin->taken)
+    if (!moved && skin->computed)
         return false;
-    skin->taken = true;
+    skin->computed = true;
     normals(skin, &balloon->mesh, &balloon->body);
     if (balloon->body.membrane.count > 0)
         field_of_elements(skin, &balloon->body, element_stretch, skin->stretch);

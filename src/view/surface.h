@@ -12,10 +12,10 @@ void surface_open(PictureSkin* skin, const Balloon* balloon);
 /// stretch, the mean over the edges at a point of length over rest length, or of rubber over its
 /// elements at a point of the larger principal stretch. False where nothing has moved since the
 /// last time, and nothing is computed.
-bool surface_take(PictureSkin* skin, const Balloon* balloon);
+bool surface_update(PictureSkin* skin, const Balloon* balloon);
 
 /// Mean length of an edge at rest, in world units: the measure of what is drawn on a skin.
-float surface_grain(const Balloon* balloon);
+float surface_edge_length(const Balloon* balloon);
 
 void surface_close(PictureSkin* skin);
 

@@ -23,7 +23,7 @@ static inline void studio_open(Studio* studio, const char* const* words) {
     world_of_list(&studio->world, words);
     studio->camera = framing_first(&studio->world);
     picture_open(&studio->picture, &studio->world);
-    picture_take(&studio->picture, &studio->world, &studio->camera, &mode_skin);
+    picture_update(&studio->picture, &studio->world, &studio->camera, &mode_skin);
 }
 
 #define STUDIO(studio, ...) studio_open((studio), (const char* const[]){__VA_ARGS__, NULL})

@@ -1,4 +1,4 @@
-/// What is written over a picture: the status box and the lab's page.
+/// What is written over a picture: the status box and the lab's panel.
 #include "drawn.h"
 #include "hud/hud.h"
 
@@ -6,12 +6,12 @@ static void the_overlay_says_the_same_twice_and_stays_in_its_corner(void** state
     (void)state;
     Fault fault = {0};
     assert_true(hud_open(1, &fault));
-    Panel panel = {.shown = true, .title = "title"};
-    panel_row(&panel, "label", "%d", 42);
+    Overlay overlay = {.shown = true, .title = "title"};
+    overlay_row(&overlay, "label", "%d", 42);
     Pixels* both[2] = {&pixels, &others};
     for (int i = 0; i < 2; i++) {
         renderer_draw(renderer, &drawn.picture);
-        hud_draw(&panel, WIDTH, HEIGHT);
+        hud_draw(&overlay, WIDTH, HEIGHT);
         renderer_read(renderer, (*both[i])[0][0]);
     }
     assert_memory_equal(pixels, others, sizeof pixels);
@@ -22,27 +22,27 @@ static void the_overlay_says_the_same_twice_and_stays_in_its_corner(void** state
     hud_close();
 }
 
-enum { WIDE = 1280, HIGH = 720 }; // where a page has room
+enum { WIDE = 1280, HIGH = 720 }; // where a panel has room
 static unsigned char large[2][HIGH][WIDE][3];
 
 /// Its column is the right part of the picture, its slider the lower left; what rises is drawn
 /// rising.
-static void the_labs_page_draws_its_plots_on_the_right(void** state) {
+static void the_lab_panel_draws_its_plots_on_the_right(void** state) {
     (void)state;
     Fault fault = {0};
     assert_true(hud_open(1, &fault));
     renderer_resize(renderer, WIDE, HIGH);
-    static Page page = {.title = "Balloon 0", .count = 2, .t = {0, 1}, .plot_count = 1};
-    page.map.method = "euler";
-    page.plot[0] = (PagePlot){.label = "volume", .value = "2", .y = {1, 2}};
-    const Panel panel = {.page = &page};
-    const int left = 954, center = 1104, top = 69, middle = 90, low = 111; // of hud/page.cpp
+    static LabPanel panel = {.title = "Balloon 0", .count = 2, .t = {0, 1}, .plot_count = 1};
+    panel.map.method = "euler";
+    panel.plot[0] = (LabPlot){.label = "volume", .value = "2", .y = {1, 2}};
+    const Overlay overlay = {.lab_panel = &panel};
+    const int left = 954, center = 1104, top = 69, middle = 90, low = 111; // of hud/lab_panel.cpp
     int bright[2][2] = {{0}}; // in the left half of the plot, above and below its middle
     for (int i = 0; i < 2; i++) {
-        page.plot[0].y[1 - i] = 1;
-        page.plot[0].y[i] = 2;
+        panel.plot[0].y[1 - i] = 1;
+        panel.plot[0].y[i] = 2;
         renderer_draw(renderer, &drawn.picture);
-        hud_draw(&panel, WIDE, HIGH);
+        hud_draw(&overlay, WIDE, HIGH);
         renderer_read(renderer, large[i][0][0]);
         for (int y = top; y < low; y++)
             for (int x = left; x < center; x++)
@@ -58,27 +58,29 @@ static void the_labs_page_draws_its_plots_on_the_right(void** state) {
     hud_close();
 }
 
-/// In a narrow picture the status box takes more lines, and the page and the keys lie over none of
+/// In a narrow picture the status box takes more lines, and the panel and the keys lie over none of
 /// it.
 static void the_status_box_gives_way(void** state) {
     (void)state;
     Fault fault = {0};
     assert_true(hud_open(1, &fault));
-    static Page page = {.title = "Balloon 0", .map.method = "euler"};
-    static Panel panel = {.title = "a title", .page = &page};
-    panel_row(&panel, "balloon 0", "amount 1, pressure 7.428, volume x 1.12, and more than that");
-    panel.key[panel.key_count++] = (PanelKey){"key", "what a key does, in so many words as these"};
+    static LabPanel panel = {.title = "Balloon 0", .map.method = "euler"};
+    static Overlay overlay = {.title = "a title", .lab_panel = &panel};
+    overlay_row(&overlay, "balloon 0",
+                "amount 1, pressure 7.428, volume x 1.12, and more than that");
+    overlay.key[overlay.key_count++] =
+        (OverlayKey){"key", "what a key does, in so many words as these"};
     for (int width = 500; width <= 640; width += 140)
         for (int help = 0; help < 2; help++) {
-            panel.help_shown = help;
+            overlay.help_shown = help;
             renderer_resize(renderer, width, HEIGHT);
             for (int on = 0; on < 2; on++) {
-                panel.shown = on;
+                overlay.shown = on;
                 renderer_draw(renderer, &drawn.picture);
-                hud_draw(&panel, width, HEIGHT);
+                hud_draw(&overlay, width, HEIGHT);
                 renderer_read(renderer, large[on][0][0]);
             }
-            // of hud/page.cpp; the box of the keys is a little wider than its column
+            // of hud/lab_panel.cpp; the box of the keys is a little wider than its column
             const int left = help ? width - 14 - 24 - 7 * 48 : width - 26 - 12 - 2 * width / 5;
             int before = 0, beyond = 0;
             const unsigned char* off = large[0][0][0];
@@ -97,24 +99,24 @@ static void a_cell_of_the_map_is_found_where_it_is_drawn(void** state) {
     Fault fault = {0};
     assert_true(hud_open(1, &fault));
     renderer_resize(renderer, WIDE, HIGH);
-    static Page page = {.map.method = "euler"};
-    Panel panel = {.page = &page};
-    const int lit[][2] = {{0, 0}, {4, 6}, {PAGE_ROWS - 1, PAGE_COLUMNS - 1}};
+    static LabPanel panel = {.map.method = "euler"};
+    Overlay overlay = {.lab_panel = &panel};
+    const int lit[][2] = {{0, 0}, {4, 6}, {LAB_ROWS - 1, LAB_COLUMNS - 1}};
     for (int k = 0; k < 3; k++) {
-        PageCell* cell = &page.map.cell[lit[k][0]][lit[k][1]];
+        LabCell* cell = &panel.map.cell[lit[k][0]][lit[k][1]];
         for (int on = 0; on < 2; on++) {
-            *cell = on ? PAGE_EXPLODED : PAGE_UNKNOWN;
+            *cell = on ? LAB_EXPLODED : LAB_UNKNOWN;
             renderer_draw(renderer, &drawn.picture);
-            hud_draw(&panel, WIDE, HIGH);
+            hud_draw(&overlay, WIDE, HIGH);
             renderer_read(renderer, large[on][0][0]);
         }
-        *cell = PAGE_UNKNOWN;
+        *cell = LAB_UNKNOWN;
         int found = 0, painted = 0, both = 0;
         for (int y = 0; y < HIGH; y++)
             for (int x = 0; x < WIDE; x++) {
                 const float at[2] = {((float)x + 0.5f) / WIDE, ((float)y + 0.5f) / HIGH};
                 int got[2] = {-1, -1};
-                const bool in = hud_cell(&panel, WIDE, HIGH, at, got) && got[0] == lit[k][0] &&
+                const bool in = hud_cell(&overlay, WIDE, HIGH, at, got) && got[0] == lit[k][0] &&
                                 got[1] == lit[k][1];
                 const bool red = memcmp(large[0][y][x], large[1][y][x], 3) != 0;
                 found += in;
@@ -123,24 +125,24 @@ static void a_cell_of_the_map_is_found_where_it_is_drawn(void** state) {
             }
         assert_true(painted > 50 && both == painted && painted > found * 7 / 10);
     }
-    panel.help_shown = true;
-    assert_false(hud_cell(&panel, WIDE, HIGH, (const float[]){0.85f, 0.1f}, (int[2]){0}));
+    overlay.help_shown = true;
+    assert_false(hud_cell(&overlay, WIDE, HIGH, (const float[]){0.85f, 0.1f}, (int[2]){0}));
     hud_close();
 }
 
 static void a_panel_takes_no_more_rows_than_it_has(void** state) {
     (void)state;
-    static Panel panel;
-    for (int i = 0; i < 2 * PANEL_ROWS; i++)
-        panel_row(&panel, "a label that is longer than the room for it is", "%0200d", i);
-    assert_int_equal(panel.row_count, PANEL_ROWS);
-    assert_int_equal(strlen(panel.row[0].value), PANEL_TEXT - 1);
+    static Overlay overlay;
+    for (int i = 0; i < 2 * OVERLAY_ROWS; i++)
+        overlay_row(&overlay, "a label that is longer than the room for it is", "%0200d", i);
+    assert_int_equal(overlay.row_count, OVERLAY_ROWS);
+    assert_int_equal(strlen(overlay.row[0].value), OVERLAY_TEXT - 1);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(the_overlay_says_the_same_twice_and_stays_in_its_corner, set_up),
-        cmocka_unit_test_setup(the_labs_page_draws_its_plots_on_the_right, set_up),
+        cmocka_unit_test_setup(the_lab_panel_draws_its_plots_on_the_right, set_up),
         cmocka_unit_test_setup(the_status_box_gives_way, set_up),
         cmocka_unit_test_setup(a_cell_of_the_map_is_found_where_it_is_drawn, set_up),
         cmocka_unit_test(a_panel_takes_no_more_rows_than_it_has),

@@ -5,7 +5,7 @@
 #include "show/keys.h"
 #include "show/session.h"
 #include "view/framing.h"
-#include "view/hand.h"
+#include "view/thrower.h"
 #include "world/command.h"
 
 static void no_key_stands_twice(void** state) {
@@ -18,7 +18,7 @@ static void no_key_stands_twice(void** state) {
 static void every_key_is_found_in_one_table(void** state) {
     (void)state;
     for (int k = 0; k < keys_count(); k++) {
-        const PanelKey row = keys_row(k);
+        const OverlayKey row = keys_row(k);
         assert_true((command_key_find(row.key) >= 0) != (view_key_find(row.key) != NULL));
         assert_true(row.about[0] != 0);
     }
@@ -28,7 +28,7 @@ static void every_key_is_found_in_one_table(void** state) {
 
 static void all_keys_fit_the_help_box(void** state) {
     (void)state;
-    assert_true(keys_count() <= PANEL_KEYS);
+    assert_true(keys_count() <= OVERLAY_KEYS);
 }
 
 static char record[32];
@@ -115,23 +115,23 @@ static void another_scene_gets_a_log_of_its_own(void** state) {
 
 static const float ASPECT = 16.0f / 9;
 
-typedef struct Thrower {
+typedef struct Aimer {
     World world;
     Camera camera;
-    Hand hand;
-} Thrower;
+    Thrower thrower;
+} Aimer;
 
-static void thrower_open(Thrower* thrower, const char* const* words) {
-    world_of_list(&thrower->world, words);
-    thrower->camera = framing_first(&thrower->world);
-    thrower->hand = hand_default(&thrower->world, &thrower->camera);
+static void aimer_open(Aimer* aimer, const char* const* words) {
+    world_of_list(&aimer->world, words);
+    aimer->camera = framing_first(&aimer->world);
+    aimer->thrower = thrower_default(&aimer->world, &aimer->camera);
 }
 
-#define THROWER(thrower, ...) thrower_open((thrower), (const char* const[]){__VA_ARGS__, NULL})
+#define AIMER(aimer, ...) aimer_open((aimer), (const char* const[]){__VA_ARGS__, NULL})
 
-static bool aim(const Thrower* thrower, float x, float y, double thrown[THROW_NUMBERS]) {
-    return hand_throw(&thrower->hand, &thrower->world, &thrower->camera, ASPECT,
-                      (const float[]){x, y}, thrown);
+static bool aim(const Aimer* aimer, float x, float y, double thrown[THROW_NUMBERS]) {
+    return thrower_throw(&aimer->thrower, &aimer->world, &aimer->camera, ASPECT,
+                         (const float[]){x, y}, thrown);
 }
 
 static double from_eye(const Camera* camera, const double point[3]) {
@@ -158,130 +158,130 @@ static void seen_at(const Camera* camera, const double point[3], double at[2]) {
 
 static void a_ball_flies_from_the_eye_through_the_pixel_pointed_at(void** state) {
     (void)state;
-    Thrower thrower;
-    THROWER(&thrower, "tether");
+    Aimer aimer;
+    AIMER(&aimer, "tether");
     for (int i = 0; i < 9; i++) {
         const float x = 0.2f + 0.3f * (float)(i % 3), y = 0.1f + 0.3f * (float)(i / 3);
         double thrown[THROW_NUMBERS], later[3], at[2];
-        assert_true(aim(&thrower, x, y, thrown));
-        assert_less(from_eye(&thrower.camera, thrown), 0.5 * (double)thrower.camera.distance);
+        assert_true(aim(&aimer, x, y, thrown));
+        assert_less(from_eye(&aimer.camera, thrown), 0.5 * (double)aimer.camera.distance);
         for (int k = 0; k < 3; k++)
             later[k] = thrown[k] + 0.1 * thrown[3 + k];
-        assert_less(from_eye(&thrower.camera, thrown), from_eye(&thrower.camera, later));
+        assert_less(from_eye(&aimer.camera, thrown), from_eye(&aimer.camera, later));
 
         // the matrices and the ray are single precision, of numbers of order ten
         for (int part = 0; part < 2; part++) {
-            seen_at(&thrower.camera, part ? later : thrown, at);
+            seen_at(&aimer.camera, part ? later : thrown, at);
             assert_near(at[0], (double)x, 2e-5);
             assert_near(at[1], (double)y, 2e-5);
         }
         const double speed =
             sqrt(thrown[3] * thrown[3] + thrown[4] * thrown[4] + thrown[5] * thrown[5]);
-        assert_close(speed, thrower.hand.speed, 1e-12);
+        assert_close(speed, aimer.thrower.speed, 1e-12);
     }
-    world_close(&thrower.world);
+    world_close(&aimer.world);
 }
 
 /// However near the eye goes, up to the box of the balloon.
 static void a_ball_starts_in_front_of_the_balloon(void** state) {
     (void)state;
-    Thrower thrower;
-    THROWER(&thrower, "cube-sphere:6", "balloons.0.strings=[]");
-    thrower.camera.pitch = thrower.camera.yaw = 0;
+    Aimer aimer;
+    AIMER(&aimer, "cube-sphere:6", "balloons.0.strings=[]");
+    aimer.camera.pitch = aimer.camera.yaw = 0;
     for (double away = 10; away > 0.01; away /= 2) {
         double thrown[THROW_NUMBERS];
         // the sphere's radius is 1, its middle the origin; the eye is at +z
-        thrower.camera.distance = (float)(1 + thrower.hand.radius + away);
-        assert_true(aim(&thrower, 0.5f, 0.5f, thrown));
-        assert_true(thrown[2] >= 1 + thrower.hand.radius - 1e-5);
-        assert_true(from_eye(&thrower.camera, thrown) >= 0);
+        aimer.camera.distance = (float)(1 + aimer.thrower.radius + away);
+        assert_true(aim(&aimer, 0.5f, 0.5f, thrown));
+        assert_true(thrown[2] >= 1 + aimer.thrower.radius - 1e-5);
+        assert_true(from_eye(&aimer.camera, thrown) >= 0);
     }
-    world_close(&thrower.world);
+    world_close(&aimer.world);
 }
 
 static void a_ball_starts_above_the_floor_or_not_at_all(void** state) {
     (void)state;
-    Thrower thrower;
-    THROWER(&thrower, "tether");
+    Aimer aimer;
+    AIMER(&aimer, "tether");
     double thrown[THROW_NUMBERS];
-    thrower.camera.pitch = -0.5f; // from below the floor at -4, past it upward
-    assert_true(aim(&thrower, 0.5f, 0.5f, thrown));
-    assert_true(thrown[1] >= -4 + thrower.hand.radius - 1e-9);
-    thrower.camera.target[1] = -30;
-    assert_false(aim(&thrower, 0.5f, 0.5f, thrown));
-    world_close(&thrower.world);
+    aimer.camera.pitch = -0.5f; // from below the floor at -4, past it upward
+    assert_true(aim(&aimer, 0.5f, 0.5f, thrown));
+    assert_true(thrown[1] >= -4 + aimer.thrower.radius - 1e-9);
+    aimer.camera.target[1] = -30;
+    assert_false(aim(&aimer, 0.5f, 0.5f, thrown));
+    world_close(&aimer.world);
 }
 
 static void a_ball_waits_until_the_one_before_has_left(void** state) {
     (void)state;
-    Thrower thrower;
+    Aimer aimer;
     Session session;
     Fault fault = {0};
-    THROWER(&thrower, "tether");
-    assert_true(session_open(&session, &thrower.world, NULL, NULL, &fault));
+    AIMER(&aimer, "tether");
+    assert_true(session_open(&session, &aimer.world, NULL, NULL, &fault));
     double thrown[THROW_NUMBERS];
-    assert_true(aim(&thrower, 0.1f, 0.1f, thrown));
+    assert_true(aim(&aimer, 0.1f, 0.1f, thrown));
     assert_true(session_throw(&session, thrown, &fault));
-    assert_false(aim(&thrower, 0.1f, 0.1f, thrown));
-    step(&session, 2 + (int)(2 * thrower.hand.radius / thrower.hand.speed / thrower.world.step));
-    assert_true(aim(&thrower, 0.1f, 0.1f, thrown));
+    assert_false(aim(&aimer, 0.1f, 0.1f, thrown));
+    step(&session, 2 + (int)(2 * aimer.thrower.radius / aimer.thrower.speed / aimer.world.step));
+    assert_true(aim(&aimer, 0.1f, 0.1f, thrown));
     session_close(&session);
-    world_close(&thrower.world);
+    world_close(&aimer.world);
 }
 
 static void the_hand_goes_through_all_its_balls(void** state) {
     (void)state;
-    const Hand first = {.mass = 0.1, .radius = 0.05, .speed = 1};
-    Hand hand = first;
+    const Thrower first = {.mass = 0.1, .radius = 0.05, .speed = 1};
+    Thrower thrower = first;
     for (int k = 1; k < 5; k++) {
-        hand_next_mass(&hand);
-        hand_next_radius(&hand);
-        assert_close(hand.mass, 0.1 * pow(10, k), 1e-12);
-        assert_close(hand.radius, 0.05 * pow(2, k), 1e-12);
+        thrower_next_mass(&thrower);
+        thrower_next_radius(&thrower);
+        assert_close(thrower.mass, 0.1 * pow(10, k), 1e-12);
+        assert_close(thrower.radius, 0.05 * pow(2, k), 1e-12);
     }
-    hand_next_mass(&hand);
-    hand_next_radius(&hand);
+    thrower_next_mass(&thrower);
+    thrower_next_radius(&thrower);
     for (int k = 0; k < 7; k++) {
-        const double before = hand.speed;
-        hand_next_speed(&hand);
-        assert_true(k == 6 || hand.speed > before);
+        const double before = thrower.speed;
+        thrower_next_speed(&thrower);
+        assert_true(k == 6 || thrower.speed > before);
     }
-    assert_memory_equal(&hand, &first, sizeof hand);
+    assert_memory_equal(&thrower, &first, sizeof thrower);
 }
 
 /// The tether's sphere is 2 wide and weighs 0.386: an eighth of that is 0.25, and 0.386 is nearer
 /// to 1 than to 0.1.
 static void the_first_ball_suits_the_scene(void** state) {
     (void)state;
-    Thrower thrower;
-    THROWER(&thrower, "tether");
-    assert_near(thrower.hand.radius, 0.2, 0);
-    assert_near(thrower.hand.mass, 1, 0);
-    const double fall = 4.9 * pow((double)thrower.camera.distance / thrower.hand.speed, 2);
+    Aimer aimer;
+    AIMER(&aimer, "tether");
+    assert_near(aimer.thrower.radius, 0.2, 0);
+    assert_near(aimer.thrower.mass, 1, 0);
+    const double fall = 4.9 * pow((double)aimer.camera.distance / aimer.thrower.speed, 2);
     assert_less(fall, 0.5);
-    world_close(&thrower.world);
+    world_close(&aimer.world);
 }
 
 static void a_throw_is_logged_and_replayed_to_the_same_bits(void** state) {
     (void)state;
-    Thrower thrower;
+    Aimer aimer;
     Session session;
     Fault fault = {0};
     double thrown[THROW_NUMBERS];
-    THROWER(&thrower, "tether");
-    assert_true(session_open(&session, &thrower.world, NULL, record, &fault));
+    AIMER(&aimer, "tether");
+    assert_true(session_open(&session, &aimer.world, NULL, record, &fault));
     step(&session, 20);
-    assert_true(aim(&thrower, 0.5f, 0.5f, thrown));
+    assert_true(aim(&aimer, 0.5f, 0.5f, thrown));
     assert_true(session_throw(&session, thrown, &fault));
     step(&session, 20);
-    hand_next_mass(&thrower.hand);
-    assert_true(aim(&thrower, 0.45f, 0.55f, thrown));
+    thrower_next_mass(&aimer.thrower);
+    assert_true(aim(&aimer, 0.45f, 0.55f, thrown));
     assert_true(session_throw(&session, thrown, &fault));
     step(&session, 60);
     session_close(&session);
-    assert_int_equal(thrower.world.contacts.sphere_count, 2);
-    const uint64_t want = world_hash(&thrower.world);
-    world_close(&thrower.world);
+    assert_int_equal(aimer.world.contacts.sphere_count, 2);
+    const uint64_t want = world_hash(&aimer.world);
+    world_close(&aimer.world);
 
     Record read;
     assert_true(record_load(record, &read, &fault));

@@ -13,7 +13,7 @@ static void rubber_shows_its_larger_principal_stretch(void** state) {
     Body* body = &studio.world.balloon[0].body;
     for (int i = 0; i < body->count; i++)
         body->x[i][0] *= 2;
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_stretch);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_stretch);
     for (int i = 0; i < body->count; i++)
         assert_near((double)studio.picture.skin[0].field[i], 2, TOLERANCE(1e-5, 1e-6));
     studio_close(&studio);
@@ -34,7 +34,7 @@ static void thickness_and_volume_ratio_follow_the_elements(void** state) {
         Body* body = &studio.world.balloon[0].body;
         for (int big = 0; big < 2; big++) {
             for (int m = 0; m < 2; m++) {
-                picture_take(picture, &studio.world, &studio.camera, mode[m]);
+                picture_update(picture, &studio.world, &studio.camera, mode[m]);
                 const double want = big ? twice[global][m] : at_rest[m];
                 for (int i = 0; i < body->count; i++)
                     assert_close((double)picture->skin[0].field[i], want, 2e-6); // float fields
@@ -55,7 +55,7 @@ static void a_thin_patch_is_shown(void** state) {
     Studio studio;
     STUDIO(&studio,
            RUBBER("cube-sphere:16", ", patches: [{at: [0, 1, 0], radius: 0.5, thickness: 1e-4}]"));
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_thickness);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_thickness);
     const PictureSkin* skin = &studio.picture.skin[0];
     assert_near((double)studio.picture.range[1], 0.3, 1e-6);
     int top = 0, bottom = 0;
@@ -76,7 +76,7 @@ static void the_pressure_mode_shows_the_force_of_inflation(void** state) {
     Studio studio;
     STUDIO(&studio, "squirrel-inflates", "balloons.0.inflation={law: area, amount: 4}");
     Body* body = &studio.world.balloon[0].body;
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_pressure);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_pressure);
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     force_add(&force_inflation, body);
     double most = 0;
@@ -105,7 +105,7 @@ static void every_mode_draws_finite_numbers(void** state) {
             world_step(&studio.world);
         for (int m = 0; m < mode_count; m++) {
             const Picture* picture = &studio.picture;
-            picture_take(&studio.picture, &studio.world, &studio.camera, mode_table[m]);
+            picture_update(&studio.picture, &studio.world, &studio.camera, mode_table[m]);
             if (mode_fits(mode_table[m], &studio.world.balloon[0]))
                 assert_int_equal(picture->skin[0].paint, mode_table[m]->paint);
             for (int i = 0; i < picture->skin[0].point_count; i++)
@@ -124,7 +124,7 @@ static void the_springs_mode_draws_each_spring_that_faces_the_eye(void** state) 
     Studio studio;
     // an open skin has no far side: every spring is drawn
     STUDIO(&studio, "grid:6x6", "balloons.0.strings=[]");
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_springs);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_springs);
     assert_int_equal(studio.picture.line_count, studio.world.balloon[0].body.springs.count);
     studio_close(&studio);
 }

@@ -38,7 +38,7 @@ static void slow_motion_stretches_time(void** state) {
     Pacer pacer = pacer_make(0.002, INFINITY);
     for (int k = 0; k < 10; k++)
         pacer_slower(&pacer);
-    assert_int_equal(pacer.slow, PACER_SLOWEST);
+    assert_int_equal(pacer.slowdown, PACER_SLOWEST);
 
     long sum = 0;
     for (int k = 0; k < 600; k++)
@@ -47,7 +47,7 @@ static void slow_motion_stretches_time(void** state) {
 
     for (int k = 0; k < 10; k++)
         pacer_faster(&pacer);
-    assert_int_equal(pacer.slow, 1);
+    assert_int_equal(pacer.slowdown, 1);
 }
 
 static void paused_only_single_steps_are_due(void** state) {

@@ -1,6 +1,6 @@
 /// The picture: skins, strings, balls and the camera follow from the world.
 #include "studio.h"
-#include "view/rope.h"
+#include "view/string_lines.h"
 
 static void normals_are_unit_and_point_outward(void** state) {
     (void)state;
@@ -37,7 +37,7 @@ static void twice_the_size_is_a_stretch_of_two(void** state) {
     Body* body = &studio.world.balloon[0].body;
     for (int i = 0; i < body->count; i++)
         body->x[i] *= 2;
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_skin);
     for (int i = 0; i < body->count; i++)
         assert_near((double)studio.picture.skin[0].stretch[i], 2, TOLERANCE(1e-5, 1e-6));
     studio_close(&studio);
@@ -51,10 +51,10 @@ static void a_string_is_drawn_from_its_particle_to_its_fixed_end(void** state) {
     const Picture* picture = &studio.picture;
     const float anchor[3] = {(float)string->anchor[0], (float)string->anchor[1],
                              (float)string->anchor[2]};
-    assert_int_equal(picture->line_count, ROPE_SEGMENTS);
+    assert_int_equal(picture->line_count, STRING_SEGMENTS);
     assert_near(distance(picture->line[0].from, picture->skin[0].position[string->particle]), 0, 0);
-    assert_near(distance(picture->line[ROPE_SEGMENTS - 1].to, anchor), 0, 1e-5);
-    for (int s = 1; s < ROPE_SEGMENTS; s++)
+    assert_near(distance(picture->line[STRING_SEGMENTS - 1].to, anchor), 0, 1e-5);
+    for (int s = 1; s < STRING_SEGMENTS; s++)
         assert_near(distance(picture->line[s - 1].to, picture->line[s].from), 0, 0);
     studio_close(&studio);
 }
@@ -95,7 +95,7 @@ static void a_picture_changes_no_bit_of_the_world(void** state) {
     STUDIO(&studio, "tether");
     const uint64_t before = world_hash(&studio.world);
     for (int m = 0; m < mode_count; m++)
-        picture_take(&studio.picture, &studio.world, &studio.camera, mode_table[m]);
+        picture_update(&studio.picture, &studio.world, &studio.camera, mode_table[m]);
     assert_true(world_hash(&studio.world) == before);
     studio_close(&studio);
 }
@@ -105,10 +105,10 @@ static void a_string_tied_later_is_drawn(void** state) {
     (void)state;
     Studio studio;
     STUDIO(&studio, "cube", "balloons.0.strings=[]");
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_skin);
     const int before = studio.picture.line_count;
     balloon_tie(&studio.world.balloon[0], &studio.world.def, true);
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_skin);
     assert_true(studio.picture.line_count > before);
     studio_close(&studio);
 }
@@ -142,13 +142,13 @@ static void every_ball_is_drawn_in_every_mode(void** state) {
     for (int n = 1; n <= 40; n++) {
         throw_at(&studio.world, -3, 0.3 * n, 0, 0.1);
         const Mode* mode = mode_table[n % mode_count];
-        picture_take(&studio.picture, &studio.world, &studio.camera, mode);
+        picture_update(&studio.picture, &studio.world, &studio.camera, mode);
         assert_true(shows_ball(&studio.picture, 3, 0, 0, 0.5));
         for (int k = 1; k <= n; k++)
             assert_true(shows_ball(&studio.picture, -3, 0.3 * k, 0, 0.1));
     }
     const PictureBall* room = studio.picture.ball;
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_skin);
     assert_ptr_equal(studio.picture.ball, room);
     studio_close(&studio);
 }
@@ -159,13 +159,13 @@ static void a_ball_widens_the_scene_unless_it_has_flown_away(void** state) {
     STUDIO(&studio, "tether");
     const float before = studio.picture.scene_radius;
     throw_at(&studio.world, 1e4, 0, 0, 0.5);
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_skin);
     assert_near((double)studio.picture.scene_radius, (double)before, 0);
     const Camera camera = framing_all(&studio.world);
     assert_near((double)camera.distance, (double)studio.camera.distance, 0);
 
     throw_at(&studio.world, 4, 0, 0, 0.5);
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_skin);
     const float center[3] = {4, 0, 0};
     assert_less((double)before, (double)studio.picture.scene_radius);
     assert_true(distance(center, studio.picture.scene_center) <=
@@ -175,7 +175,7 @@ static void a_ball_widens_the_scene_unless_it_has_flown_away(void** state) {
 }
 
 static long stamp_after(Studio* studio, const Mode* mode) {
-    picture_take(&studio->picture, &studio->world, &studio->camera, mode);
+    picture_update(&studio->picture, &studio->world, &studio->camera, mode);
     return studio->picture.stamp;
 }
 

@@ -2,10 +2,10 @@
 #include "studio.h"
 #include "view/status.h"
 
-static const char* row(const Panel* panel, const char* label) {
-    for (int r = 0; r < panel->row_count; r++)
-        if (strcmp(panel->row[r].label, label) == 0)
-            return panel->row[r].value;
+static const char* row(const Overlay* overlay, const char* label) {
+    for (int r = 0; r < overlay->row_count; r++)
+        if (strcmp(overlay->row[r].label, label) == 0)
+            return overlay->row[r].value;
     return NULL;
 }
 
@@ -15,7 +15,7 @@ static void a_mode_of_rubber_passes_springs_by(void** state) {
     (void)state;
     Studio studio;
     STUDIO(&studio, "tether");
-    picture_take(&studio.picture, &studio.world, &studio.camera, &mode_thickness);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_thickness);
     assert_int_equal(studio.picture.skin[0].paint, PAINT_RUBBER);
     const Mode* mode = &mode_skin;
     do {
@@ -24,10 +24,10 @@ static void a_mode_of_rubber_passes_springs_by(void** state) {
         mode = mode_after(mode, &studio.world);
     } while (mode != &mode_skin);
 
-    Panel panel = {0};
-    const Status status = {.mode = &mode_thickness, .slow = 1, .message = ""};
-    status_take(&panel, &studio.world, &studio.picture, &status);
-    assert_string_equal(row(&panel, "shown"), "thickness, which nothing here has");
+    Overlay overlay = {0};
+    const Status status = {.mode = &mode_thickness, .slowdown = 1, .message = ""};
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&overlay, "shown"), "thickness, which nothing here has");
     studio_close(&studio);
 }
 
@@ -35,11 +35,11 @@ static void a_scale_says_its_ends_and_unit(void** state) {
     (void)state;
     Studio studio;
     STUDIO(&studio, RUBBER("cube-sphere:4", ""));
-    Panel panel = {0};
-    const Status status = {.mode = &mode_thickness, .slow = 1, .message = ""};
-    picture_take(&studio.picture, &studio.world, &studio.camera, status.mode);
-    status_take(&panel, &studio.world, &studio.picture, &status);
-    assert_string_equal(row(&panel, "shown"), "thickness, 0.25 to 0.3 mm");
+    Overlay overlay = {0};
+    const Status status = {.mode = &mode_thickness, .slowdown = 1, .message = ""};
+    picture_update(&studio.picture, &studio.world, &studio.camera, status.mode);
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&overlay, "shown"), "thickness, 0.25 to 0.3 mm");
     studio_close(&studio);
 }
 
@@ -47,18 +47,18 @@ static void a_bad_state_is_said_before_any_message(void** state) {
     (void)state;
     Studio studio;
     STUDIO(&studio, "tether");
-    Panel panel = {0};
-    const Status status = {.mode = &mode_stretch, .slow = 4, .message = "all is well"};
-    status_take(&panel, &studio.world, &studio.picture, &status);
-    assert_string_equal(panel.message, "all is well");
-    assert_false(panel.alarm);
-    assert_true(panel.row_count > 0);
+    Overlay overlay = {0};
+    const Status status = {.mode = &mode_stretch, .slowdown = 4, .message = "all is well"};
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_string_equal(overlay.message, "all is well");
+    assert_false(overlay.alarm);
+    assert_true(overlay.row_count > 0);
 
     studio.world.blowup.halted = true;
     snprintf(studio.world.blowup.text, sizeof studio.world.blowup.text, "it went bad");
-    status_take(&panel, &studio.world, &studio.picture, &status);
-    assert_string_equal(panel.message, "it went bad");
-    assert_true(panel.alarm);
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_string_equal(overlay.message, "it went bad");
+    assert_true(overlay.alarm);
     studio_close(&studio);
 }
 
@@ -66,31 +66,31 @@ static void balls_are_counted_and_a_pass_through_is_said(void** state) {
     (void)state;
     Studio studio;
     STUDIO(&studio, "tether");
-    Panel panel = {0};
-    const Hand hand = {.mass = 10, .radius = 0.2, .speed = 50};
-    Status status = {.mode = &mode_skin, .hand = &hand, .slow = 1, .message = ""};
-    status_take(&panel, &studio.world, &studio.picture, &status);
-    assert_null(row(&panel, "balls"));
-    assert_null(row(&panel, "pass-throughs"));
+    Overlay overlay = {0};
+    const Thrower thrower = {.mass = 10, .radius = 0.2, .speed = 50};
+    Status status = {.mode = &mode_skin, .thrower = &thrower, .slowdown = 1, .message = ""};
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_null(row(&overlay, "balls"));
+    assert_null(row(&overlay, "pass-throughs"));
 
     throw_at(&studio.world, 3, 0, 0, 0.2);
-    status_take(&panel, &studio.world, &studio.picture, &status);
-    assert_string_equal(row(&panel, "balls"), "1");
-    assert_string_equal(row(&panel, "next ball"), "mass 10, radius 0.2, speed 50");
-    assert_string_equal(row(&panel, "pass-throughs"), "0");
-    assert_false(panel.alarm);
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&overlay, "balls"), "1");
+    assert_string_equal(row(&overlay, "next ball"), "mass 10, radius 0.2, speed 50");
+    assert_string_equal(row(&overlay, "pass-throughs"), "0");
+    assert_false(overlay.alarm);
 
     studio.world.contacts.pass_throughs = 2;
-    status_take(&panel, &studio.world, &studio.picture, &status);
-    assert_string_equal(row(&panel, "pass-throughs"), "2");
-    assert_true(panel.alarm);
-    assert_non_null(strstr(panel.message, "pass-throughs 2"));
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_string_equal(row(&overlay, "pass-throughs"), "2");
+    assert_true(overlay.alarm);
+    assert_non_null(strstr(overlay.message, "pass-throughs 2"));
 
     // what the user has just asked for is read first
     status.message = "quads";
-    status_take(&panel, &studio.world, &studio.picture, &status);
-    assert_string_equal(panel.message, "quads");
-    assert_false(panel.alarm);
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_string_equal(overlay.message, "quads");
+    assert_false(overlay.alarm);
     studio_close(&studio);
 }
 

@@ -1,4 +1,4 @@
-#include "view/hand.h"
+#include "view/thrower.h"
 
 // From a tenth of a kilogram upward as in the mass-spring paper; radii are doubled.
 static const double MASSES[] = {0.1, 1, 10, 100, 1000};
@@ -15,43 +15,43 @@ static const double RADIUS_SHARE = 1.0 / 8;
 // On its way to what the eye looks at, it falls by no more than this. [of a balloon's size]
 static const double FALL_SHARE = 1.0 / 4;
 // And it is there before one waits for it. [s]
-static const double FLIGHT_MOST = 0.5;
+static const double MAX_FLIGHT = 0.5;
 // So far before the eye, in radii, a ball is a third of a picture of 0.6 rad high.
-static const double BEFORE_EYE = 10;
+static const double START_DISTANCE = 10;
 // But no farther than this. [parts of the way to what the eye looks at]
-static const double BEFORE_EYE_MOST = 0.4;
+static const double MAX_BEFORE_EYE = 0.4;
 
 // ---- the ball ----
 
-/// The number of a list that is nearest to `wish` as a ratio.
-static double nearest(const double* list, int count, double wish) {
+/// The number of a list that is nearest to `target` as a ratio.
+static double nearest(const double* list, int count, double target) {
     double best = list[0];
     for (int k = 1; k < count; k++)
-        if (wish * wish > best * list[k]) // above the geometric mean of the two
+        if (target * target > best * list[k]) // above the geometric mean of the two
             best = list[k];
     return best;
 }
 
-static double next(const double* list, int count, double value) {
+static double next_of(const double* list, int count, double value) {
     for (int k = 0; k < count; k++)
         if (list[k] > value)
             return list[k];
     return list[0];
 }
 
-void hand_next_mass(Hand* hand) {
-    hand->mass = next(MASSES, MASS_COUNT, hand->mass);
+void thrower_next_mass(Thrower* thrower) {
+    thrower->mass = next_of(MASSES, MASS_COUNT, thrower->mass);
 }
 
-void hand_next_radius(Hand* hand) {
-    hand->radius = next(RADII, RADIUS_COUNT, hand->radius);
+void thrower_next_radius(Thrower* thrower) {
+    thrower->radius = next_of(RADII, RADIUS_COUNT, thrower->radius);
 }
 
-void hand_next_speed(Hand* hand) {
-    hand->speed = next(SPEEDS, SPEED_COUNT, hand->speed);
+void thrower_next_speed(Thrower* thrower) {
+    thrower->speed = next_of(SPEEDS, SPEED_COUNT, thrower->speed);
 }
 
-Hand hand_default(const World* world, const Camera* camera) {
+Thrower thrower_default(const World* world, const Camera* camera) {
     double mass = 0, size = 0;
     for (int b = 0; b < world->balloon_count; b++) {
         const Body* body = &world->balloon[b].body;
@@ -63,10 +63,10 @@ Hand hand_default(const World* world, const Camera* camera) {
     // a fall of g/2 (way/speed)^2 = FALL_SHARE size
     const double way = (double)camera->distance;
     const double fall = way * sqrt(world->contacts.gravity / (2 * FALL_SHARE * size));
-    return (Hand){
+    return (Thrower){
         .mass = nearest(MASSES, MASS_COUNT, mass),
         .radius = nearest(RADII, RADIUS_COUNT, RADIUS_SHARE * size),
-        .speed = nearest(SPEEDS, SPEED_COUNT, fmax(fall, way / FLIGHT_MOST)),
+        .speed = nearest(SPEEDS, SPEED_COUNT, fmax(fall, way / MAX_FLIGHT)),
     };
 }
 
@@ -93,7 +93,7 @@ static Sight sight_through(const Camera* camera, float aspect, const float point
 }
 
 /// Leave only what is a radius before a plane.
-static void keep_before(Sight* sight, const Plane* plane, double radius) {
+static void clip_to_plane(Sight* sight, const Plane* plane, double radius) {
     const double gap = ddot(plane->normal, sight->eye - plane->point) - radius;
     const double rise = ddot(plane->normal, sight->along);
     if (rise > 0)
@@ -106,7 +106,7 @@ static void keep_before(Sight* sight, const Plane* plane, double radius) {
 
 /// Where the line enters a balloon's box, widened by a radius; INFINITY if it does not, or if the
 /// eye is within.
-static double entry(const Sight* sight, const Body* body, double radius) {
+static double box_entry(const Sight* sight, const Body* body, double radius) {
     double4 low = to_double4(body->x[0]), high = low;
     for (int i = 0; i < body->count; i++) {
         const double4 x = to_double4(body->x[i]);
@@ -127,7 +127,7 @@ static double entry(const Sight* sight, const Body* body, double radius) {
     return enter >= 0 && enter < leave ? enter : INFINITY;
 }
 
-static bool is_free(const World* world, double4 center, double radius) {
+static bool is_clear(const World* world, double4 center, double radius) {
     for (int s = 0; s < world->contacts.sphere_count; s++) {
         const Sphere* other = &world->contacts.sphere[s];
         if (dlength(to_double4(other->x) - center) < radius + (double)other->radius)
@@ -136,26 +136,27 @@ static bool is_free(const World* world, double4 center, double radius) {
     return true;
 }
 
-bool hand_throw(const Hand* hand, const World* world, const Camera* camera, float aspect,
-                const float pointer[2], double thrown[THROW_NUMBERS]) {
+bool thrower_throw(const Thrower* thrower, const World* world, const Camera* camera, float aspect,
+                   const float pointer[2], double thrown[THROW_NUMBERS]) {
     Sight sight = sight_through(camera, aspect, pointer);
     for (int k = 0; k < world->contacts.plane_count; k++)
-        keep_before(&sight, &world->contacts.plane[k], hand->radius);
+        clip_to_plane(&sight, &world->contacts.plane[k], thrower->radius);
     if (sight.from > sight.to)
         return false;
 
     // a little before the eye, but in front of the balloons
-    double start = fmin(BEFORE_EYE * hand->radius, BEFORE_EYE_MOST * (double)camera->distance);
+    double start =
+        fmin(START_DISTANCE * thrower->radius, MAX_BEFORE_EYE * (double)camera->distance);
     for (int b = 0; b < world->balloon_count; b++)
-        start = fmin(start, entry(&sight, &world->balloon[b].body, hand->radius));
+        start = fmin(start, box_entry(&sight, &world->balloon[b].body, thrower->radius));
     start = fmin(fmax(start, sight.from), sight.to);
 
     const double4 center = sight.eye + start * sight.along;
     for (int k = 0; k < 3; k++) {
         thrown[k] = center[k];
-        thrown[3 + k] = hand->speed * sight.along[k];
+        thrown[3 + k] = thrower->speed * sight.along[k];
     }
-    thrown[6] = hand->mass;
-    thrown[7] = hand->radius;
-    return is_free(world, center, hand->radius);
+    thrown[6] = thrower->mass;
+    thrown[7] = thrower->radius;
+    return is_clear(world, center, thrower->radius);
 }

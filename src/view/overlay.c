@@ -1,12 +1,12 @@
-#include "view/panel.h"
+#include "view/overlay.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 
-void panel_row(Panel* panel, const char* label, const char* format, ...) {
-    if (panel->row_count >= PANEL_ROWS)
+void overlay_row(Overlay* overlay, const char* label, const char* format, ...) {
+    if (overlay->row_count >= OVERLAY_ROWS)
         return;
-    PanelRow* row = &panel->row[panel->row_count++];
+    OverlayRow* row = &overlay->row[overlay->row_count++];
     snprintf(row->label, sizeof row->label, "%s", label);
 
     va_list arguments;
@@ -15,6 +15,6 @@ void panel_row(Panel* panel, const char* label, const char* format, ...) {
     va_end(arguments);
 }
 
-void panel_text(char* text, size_t size, const char* from) {
+void overlay_text(char* text, size_t size, const char* from) {
     snprintf(text, size, "%s", from);
 }

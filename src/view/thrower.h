@@ -4,31 +4,31 @@
 ///
 /// so that its path begins on the line of sight: the ball covers the pixel that was pointed at,
 /// until gravity has bent the path. World units only.
-#ifndef BALLOON_VIEW_HAND_H
-#define BALLOON_VIEW_HAND_H
+#ifndef BALLOON_VIEW_THROWER_H
+#define BALLOON_VIEW_THROWER_H
 
 #include "view/camera.h"
 #include "world/world.h"
 
-typedef struct Hand {
+typedef struct Thrower {
     double mass;   ///< [kg]
     double radius; ///< [m]
     double speed;  ///< [m/s]
-} Hand;
+} Thrower;
 
 /// A ball that suits the scene: about as heavy as a balloon and an eighth of its size, and so fast
 /// that it meets what the eye looks at.
-Hand hand_default(const World* world, const Camera* camera);
+Thrower thrower_default(const World* world, const Camera* camera);
 
 /// Go on to the next larger mass (0.1, 1, 10, …), radius or speed, from the largest to the least.
-void hand_next_mass(Hand* hand);
-void hand_next_radius(Hand* hand);
-void hand_next_speed(Hand* hand);
+void thrower_next_mass(Thrower* thrower);
+void thrower_next_radius(Thrower* thrower);
+void thrower_next_speed(Thrower* thrower);
 
 /// The numbers of the event: position, velocity, mass, radius. pointer: 0…1 from the window's upper
 /// left. The ball starts a little before the eye, in front of the boxes of all balloons that the
 /// eye is not within. False where floor, walls or another ball leave no room for it.
-bool hand_throw(const Hand* hand, const World* world, const Camera* camera, float aspect,
-                const float pointer[2], double thrown[THROW_NUMBERS]);
+bool thrower_throw(const Thrower* thrower, const World* world, const Camera* camera, float aspect,
+                   const float pointer[2], double thrown[THROW_NUMBERS]);
 
 #endif

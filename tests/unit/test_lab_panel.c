@@ -1,21 +1,21 @@
-/// The lab's page: it shows what was measured and when, and changes no bit of the world.
+/// The lab's panel: it shows what was measured and when, and changes no bit of the world.
 #include "worlds.h"
 
-#include "show/lab_page.h"
+#include "show/live_lab.h"
 
 enum { EVERY = 4 }; ///< steps between two points
 
-static void step(LabPage* lab, World* world, int count) {
+static void step(LiveLab* lab, World* world, int count) {
     for (int n = 0; n < count; n++) {
         world_step(world);
-        lab_page_step(lab, world, EVERY, 0);
+        live_lab_step(lab, world, EVERY, 0);
     }
 }
 
-static const PagePlot* plot(const Page* page, const char* label) {
-    for (int k = 0; k < page->plot_count; k++)
-        if (strcmp(page->plot[k].label, label) == 0)
-            return &page->plot[k];
+static const LabPlot* plot(const LabPanel* panel, const char* label) {
+    for (int k = 0; k < panel->plot_count; k++)
+        if (strcmp(panel->plot[k].label, label) == 0)
+            return &panel->plot[k];
     return NULL;
 }
 
@@ -23,23 +23,23 @@ static void a_plot_holds_what_the_csv_says(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "tether");
-    LabPage* lab = lab_page_open(&world, NULL, 0, false);
+    LiveLab* lab = live_lab_open(&world, NULL, 0, false);
     float want[3][10];
-    lab_page_start(lab, &world);
+    live_lab_start(lab, &world);
     for (int k = 0; k < 10; k++) {
         step(lab, &world, k == 0 ? 0 : EVERY);
         want[0][k] = (float)probe(&world, "balloon0.volume");
         want[1][k] = (float)probe(&world, "balloon0.gauge_pressure");
         want[2][k] = (float)probe(&world, "balloon0.total_energy");
     }
-    const Page* page = lab_page_take(lab, &world, false, 0);
-    assert_int_equal(page->count, 10);
+    const LabPanel* panel = live_lab_update(lab, &world, false, 0);
+    assert_int_equal(panel->count, 10);
     const char* label[] = {"volume", "pressure", "energy"};
     for (int q = 0; q < 3; q++)
-        assert_memory_equal(plot(page, label[q])->y, want[q], sizeof want[q]);
+        assert_memory_equal(plot(panel, label[q])->y, want[q], sizeof want[q]);
     for (int k = 0; k < 10; k++)
-        assert_near(page->t[k], EVERY * k * world.step, 1e-6);
-    lab_page_close(lab);
+        assert_near(panel->t[k], EVERY * k * world.step, 1e-6);
+    live_lab_close(lab);
     world_close(&world);
 }
 
@@ -47,15 +47,15 @@ static void the_oldest_points_make_room(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "cube");
-    LabPage* lab = lab_page_open(&world, NULL, 0, false);
-    lab_page_start(lab, &world);
-    step(lab, &world, EVERY * (PAGE_POINTS + 6));
-    const Page* page = lab_page_take(lab, &world, false, 0);
-    assert_int_equal(page->count, PAGE_POINTS);
-    for (int k = 1; k < page->count; k++)
-        assert_near(page->t[k] - page->t[k - 1], EVERY * world.step, 1e-6);
-    assert_near(page->t[0], EVERY * 7 * world.step, 1e-6);
-    lab_page_close(lab);
+    LiveLab* lab = live_lab_open(&world, NULL, 0, false);
+    live_lab_start(lab, &world);
+    step(lab, &world, EVERY * (LAB_POINTS + 6));
+    const LabPanel* panel = live_lab_update(lab, &world, false, 0);
+    assert_int_equal(panel->count, LAB_POINTS);
+    for (int k = 1; k < panel->count; k++)
+        assert_near(panel->t[k] - panel->t[k - 1], EVERY * world.step, 1e-6);
+    assert_near(panel->t[0], EVERY * 7 * world.step, 1e-6);
+    live_lab_close(lab);
     world_close(&world);
 }
 
@@ -64,21 +64,21 @@ static void a_reset_and_another_balloon_begin_it_again(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "two-joined");
-    LabPage* lab = lab_page_open(&world, NULL, 0, false);
+    LiveLab* lab = live_lab_open(&world, NULL, 0, false);
     step(lab, &world, 10 * EVERY);
     world_reset(&world);
     step(lab, &world, 1);
-    assert_int_equal(lab_page_take(lab, &world, false, 0)->count, 1);
+    assert_int_equal(live_lab_update(lab, &world, false, 0)->count, 1);
 
     step(lab, &world, 10 * EVERY);
     press(&world, "select", "down");
     press(&world, "select", "down");
     step(lab, &world, 1);
-    const Page* page = lab_page_take(lab, &world, false, 0);
-    assert_int_equal(page->count, 1);
-    assert_string_equal(page->title, "Balloon 1");
-    assert_true(plot(page, "volume")->y[0] == (float)probe(&world, "balloon1.volume"));
-    lab_page_close(lab);
+    const LabPanel* panel = live_lab_update(lab, &world, false, 0);
+    assert_int_equal(panel->count, 1);
+    assert_string_equal(panel->title, "Balloon 1");
+    assert_true(plot(panel, "volume")->y[0] == (float)probe(&world, "balloon1.volume"));
+    live_lab_close(lab);
     world_close(&world);
 }
 
@@ -87,16 +87,16 @@ static void what_a_balloon_has_not_is_not_plotted(void** state) {
     World world;
     WORLD_OF(&world, "grid:4x4"); // open
     for (int timed = 0; timed < 2; timed++) {
-        LabPage* lab = lab_page_open(&world, NULL, 0, timed);
-        lab_page_start(lab, &world);
+        LiveLab* lab = live_lab_open(&world, NULL, 0, timed);
+        live_lab_start(lab, &world);
         step(lab, &world, 2 * EVERY);
-        const Page* page = lab_page_take(lab, &world, false, 0);
-        assert_null(plot(page, "volume"));
-        assert_non_null(plot(page, "pressure"));
-        assert_true((plot(page, "a step") != NULL) == timed);
+        const LabPanel* panel = live_lab_update(lab, &world, false, 0);
+        assert_null(plot(panel, "volume"));
+        assert_non_null(plot(panel, "pressure"));
+        assert_true((plot(panel, "a step") != NULL) == timed);
         if (timed)
-            assert_true(plot(page, "a step")->y[1] > 0);
-        lab_page_close(lab);
+            assert_true(plot(panel, "a step")->y[1] > 0);
+        live_lab_close(lab);
     }
     world_close(&world);
 }
@@ -141,10 +141,10 @@ static void other_skins_have_none(void** state) {
         world_of_list(&world, none[k]);
         if (spherical_find(&world.balloon[0], &round))
             fail_msg("%s has a closed form", none[k][0]);
-        LabPage* lab = lab_page_open(&world, NULL, 0, false);
-        lab_page_start(lab, &world);
-        assert_false(lab_page_take(lab, &world, false, 0)->has_curve);
-        lab_page_close(lab);
+        LiveLab* lab = live_lab_open(&world, NULL, 0, false);
+        live_lab_start(lab, &world);
+        assert_false(live_lab_update(lab, &world, false, 0)->has_curve);
+        live_lab_close(lab);
         world_close(&world);
     }
 }
@@ -154,23 +154,23 @@ static void the_dot_ends_on_the_curve(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "sphere-curve");
-    LabPage* lab = lab_page_open(&world, NULL, 0, false);
-    lab_page_start(lab, &world);
+    LiveLab* lab = live_lab_open(&world, NULL, 0, false);
+    live_lab_start(lab, &world);
     while (world_time(&world) < 0.4) {
         world_step(&world);
-        lab_page_step(lab, &world, 1, 0);
+        live_lab_step(lab, &world, 1, 0);
     }
-    const Page* page = lab_page_take(lab, &world, false, 0);
-    assert_true(page->has_curve);
-    const PageCurve* curve = &page->curve;
-    const float* now = curve->way[curve->count - 1];
-    assert_near(curve->way[0][0], 1, 1e-6);
-    assert_near(curve->way[0][1], 0, 0.1);
+    const LabPanel* panel = live_lab_update(lab, &world, false, 0);
+    assert_true(panel->has_curve);
+    const LabCurve* curve = &panel->curve;
+    const float* now = curve->path[curve->count - 1];
+    assert_near(curve->path[0][0], 1, 1e-6);
+    assert_near(curve->path[0][1], 0, 0.1);
     assert_close(now[0], 2.0, 0.01);
-    const double part = (now[0] - 1) / (curve->stretch - 1) * (PAGE_CURVE - 1);
-    assert_true(part >= 0 && part <= PAGE_CURVE - 1);
+    const double part = (now[0] - 1) / (curve->stretch - 1) * (LAB_CURVE - 1);
+    assert_true(part >= 0 && part <= LAB_CURVE - 1);
     assert_close(now[1], curve->truth[lround(part)], 0.02);
-    lab_page_close(lab);
+    live_lab_close(lab);
     world_close(&world);
 }
 
@@ -179,34 +179,34 @@ static void a_cost_far_above_the_rest_is_cut(void** state) {
     (void)state;
     World world;
     static History history;
-    static Page page;
+    static LabPanel panel;
     WORLD_OF(&world, "cube");
     history_begin(&history);
     for (int k = 0; k < 20; k++) {
         history_add(&history, &world, k == 7 ? 50 : k % 2 + 1);
         world_step(&world);
     }
-    history_take(&history, &page);
-    const PagePlot* cost = plot(&page, "a step");
+    history_plot(&history, &panel);
+    const LabPlot* cost = plot(&panel, "a step");
     for (int k = 0; k < 20; k++)
         assert_near(cost->y[k], k == 7 ? 8 : k % 2 + 1, 1e-6);
     world_close(&world);
 }
 
-static void the_page_changes_no_bit_of_the_world(void** state) {
+static void the_panel_changes_no_bit_of_the_world(void** state) {
     (void)state;
     World watched, alone;
     WORLD_OF(&watched, "party");
     WORLD_OF(&alone, "party");
-    LabPage* lab = lab_page_open(&watched, NULL, 0, true);
-    lab_page_start(lab, &watched);
+    LiveLab* lab = live_lab_open(&watched, NULL, 0, true);
+    live_lab_start(lab, &watched);
     for (int n = 0; n < 50; n++) {
         step(lab, &watched, 1);
-        lab_page_take(lab, &watched, false, 0);
+        live_lab_update(lab, &watched, false, 0);
         world_step(&alone);
     }
     assert_true(world_hash(&watched) == world_hash(&alone));
-    lab_page_close(lab);
+    live_lab_close(lab);
     world_close(&watched);
     world_close(&alone);
 }
@@ -221,18 +221,18 @@ static void a_slider_says_what_is_known(void** state) {
                             {.method = "euler", .step = 1e-4, .error = 0.01, .ms = 5}};
     const AdvicePoint* front[2] = {&point[0], &point[1]};
     Slider slider = {.error = (double)NAN};
-    PageSlider page = {0};
-    slider_take(&slider, &world, 0, false, &page);
-    assert_int_equal(page.notches, 0);
-    assert_non_null(strstr(page.line[1], "balloon advise"));
+    LabSlider panel = {0};
+    slider_fill(&slider, &world, 0, false, &panel);
+    assert_int_equal(panel.notches, 0);
+    assert_non_null(strstr(panel.line[1], "balloon advise"));
 
     slider = (Slider){.front = front, .notches = 2, .error = (double)NAN};
     slider.advice.outputs = 1;
     slider.advice.reference[0] = 1;
-    slider_take(&slider, &world, 2, false, &page);
-    assert_int_equal(page.at, 2);
-    assert_non_null(strstr(page.line[1], "5 ms a frame"));
-    assert_non_null(strstr(page.line[2], "not yet known"));
+    slider_fill(&slider, &world, 2, false, &panel);
+    assert_int_equal(panel.at, 2);
+    assert_non_null(strstr(panel.line[1], "5 ms a frame"));
+    assert_non_null(strstr(panel.line[2], "not yet known"));
 
     assert_true(scene_outputs(&world.def) > 0);
     double value = 0;
@@ -242,9 +242,9 @@ static void a_slider_says_what_is_known(void** state) {
     }
     assert_true(probe_value(&world, world.def.about[0].output, &value));
     assert_near(slider.error, fabs(value - 1), 1e-12);
-    slider_take(&slider, &world, 0, true, &page);
-    assert_non_null(strstr(page.line[1], "as it is"));
-    assert_non_null(strstr(page.line[2], "% off"));
+    slider_fill(&slider, &world, 0, true, &panel);
+    assert_non_null(strstr(panel.line[1], "as it is"));
+    assert_non_null(strstr(panel.line[2], "% off"));
     world_close(&world);
 }
 
@@ -259,7 +259,7 @@ int main(void) {
         cmocka_unit_test(other_skins_have_none),
         cmocka_unit_test(the_dot_ends_on_the_curve),
         cmocka_unit_test(a_cost_far_above_the_rest_is_cut),
-        cmocka_unit_test(the_page_changes_no_bit_of_the_world),
+        cmocka_unit_test(the_panel_changes_no_bit_of_the_world),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
-#include "view/rope.h"
+#include "view/string_lines.h"
 
-static const float ROPE_COLOR[3] = {0.30f, 0.29f, 0.30f};
-static const float ROPE_WIDTH = 1.8f; // [px at 720 lines]
+static const float STRING_COLOR[3] = {0.30f, 0.29f, 0.30f};
+static const float STRING_WIDTH = 1.8f; // [px at 720 lines]
 // A knot is small beside its balloon. [parts of the balloon's size]
 static const float KNOT_RADIUS = 0.018f;
 // A string that hangs straight up and down bows a little to one side, as a real one does.
@@ -25,32 +25,32 @@ static double sag(double free_length, double chord) {
     return square > 0 ? sqrt(square) : 0;
 }
 
-static void take(Picture* picture, const String* string, const Body* body, float knot) {
+static void add_string(Picture* picture, const String* string, const Body* body, float knot) {
     const double4 from = to_double4(body->x[string->particle]);
     const double4 to = to_double4(string->anchor);
     const double depth = sag((double)string->free_length, dlength(to - from));
     const double4 bow = 4 * depth * bow_direction(to - from);
 
     float before[3], now[3];
-    for (int s = 0; s <= ROPE_SEGMENTS; s++) {
-        const double t = (double)s / ROPE_SEGMENTS;
+    for (int s = 0; s <= STRING_SEGMENTS; s++) {
+        const double t = (double)s / STRING_SEGMENTS;
         const double4 p = from + t * (to - from) + t * (1 - t) * bow;
         for (int k = 0; k < 3; k++)
             now[k] = (float)p[k];
-        if (picture->floor && s > 0 && s < ROPE_SEGMENTS)
+        if (picture->floor && s > 0 && s < STRING_SEGMENTS)
             now[1] = fmaxf(now[1], picture->floor_height + 0.3f * knot);
         if (s > 0)
-            picture_line(picture, before, now, ROPE_COLOR, ROPE_WIDTH);
+            picture_line(picture, before, now, STRING_COLOR, STRING_WIDTH);
         else
-            picture_ball(picture, now, knot, ROPE_COLOR);
+            picture_ball(picture, now, knot, STRING_COLOR);
         for (int k = 0; k < 3; k++)
             before[k] = now[k];
     }
-    picture_ball(picture, now, knot, ROPE_COLOR);
+    picture_ball(picture, now, knot, STRING_COLOR);
 }
 
-void rope_take(Picture* picture, const Balloon* balloon) {
+void string_lines_add(Picture* picture, const Balloon* balloon) {
     const Body* body = &balloon->body;
     for (int s = 0; s < body->string_count; s++)
-        take(picture, &body->string[s], body, KNOT_RADIUS * (float)body->size);
+        add_string(picture, &body->string[s], body, KNOT_RADIUS * (float)body->size);
 }
