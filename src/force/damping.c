@@ -15,4 +15,5 @@ const Force force_damping = {
     .about = "drag, -(coefficient + rate m) v",
     .present = present,
     .uniform = uniform,
+    .external = true,
 };

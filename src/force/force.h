@@ -60,8 +60,12 @@ typedef struct Force {
     /// themselves.
     void (*stiffen)(Body* body, bool project);
 
-    /// What it does to free balloons, for tests: total force and torque vanish.
-    bool internal;
+    /// Its energy is stored in the skin or its tethers, and counts in the output `elastic`.
+    bool elastic;
+
+    /// It acts from outside. Total force and torque of every other row vanish on a free balloon,
+    /// which tests/unit/test_force.c holds.
+    bool external;
 } Force;
 
 extern const Force force_gravity, force_helium, force_springs, force_torsion, force_membrane,

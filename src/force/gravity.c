@@ -22,4 +22,5 @@ const Force force_gravity = {
     .present = present,
     .uniform = uniform,
     .energy = energy,
+    .external = true,
 };

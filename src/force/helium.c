@@ -23,4 +23,5 @@ const Force force_helium = {
     .present = present,
     .uniform = uniform,
     .energy = energy,
+    .external = true,
 };

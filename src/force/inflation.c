@@ -199,5 +199,4 @@ const Force force_inflation = {
     .assemble = assemble,
     .product = product,
     .stiffen = stiffen,
-    .internal = true,
 };

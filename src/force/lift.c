@@ -84,4 +84,5 @@ const Force force_lift = {
     .energy = energy,
     .stiffen = stiffen,
     .product = product,
+    .external = true,
 };

@@ -91,5 +91,5 @@ const Force force_membrane = {
     .bound = bound,
     .stencils = stencils,
     .assemble = assemble,
-    .internal = true,
+    .elastic = true,
 };

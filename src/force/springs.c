@@ -103,5 +103,5 @@ const Force force_springs = {
     .bound = bound,
     .stencils = stencils,
     .assemble = assemble,
-    .internal = true,
+    .elastic = true,
 };

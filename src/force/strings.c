@@ -75,4 +75,6 @@ const Force force_strings = {
     .energy = energy,
     .bound = bound,
     .assemble = assemble,
+    .elastic = true,
+    .external = true,
 };

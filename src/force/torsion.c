@@ -108,5 +108,5 @@ const Force force_torsion = {
     .bound = bound,
     .stiffen = stiffen,
     .product = product,
-    .internal = true,
+    .elastic = true,
 };
