@@ -6,7 +6,7 @@
 
 #include "base/memory.h"
 
-static bool read_bytes(FileText* file, FILE* in, const char* path, size_t most, Fault* fault) {
+static bool read_open(FileText* file, FILE* in, const char* path, size_t size_max, Fault* fault) {
     struct stat status;
     if (fstat(fileno(in), &status) != 0)
         return fault_set(fault, path, "cannot be read: %s", strerror(errno));
@@ -16,9 +16,9 @@ static bool read_bytes(FileText* file, FILE* in, const char* path, size_t most, 
         return fault_set(fault, path, "is not a file");
     if (status.st_size == 0)
         return fault_set(fault, path, "is empty");
-    if ((size_t)status.st_size > most)
+    if ((size_t)status.st_size > size_max)
         return fault_set(fault, path, "has %lld bytes; at most %zu can be read",
-                         (long long)status.st_size, most);
+                         (long long)status.st_size, size_max);
 
     const size_t size = (size_t)status.st_size;
     file->text = new_array(char, size + 1);
@@ -39,20 +39,27 @@ static void make_plain(FileText* file) {
         *r = r[1] == '\n' ? ' ' : '\n';
 }
 
-bool file_read(FileText* file, const char* path, size_t most, Fault* fault) {
+bool file_read_bytes(FileText* file, const char* path, size_t size_max, Fault* fault) {
     *file = (FileText){0};
     FILE* in = fopen(path, "rb");
     if (!in)
         return fault_set(fault, path, "cannot be opened: %s", strerror(errno));
-    bool good = read_bytes(file, in, path, most, fault);
+    const bool good = read_open(file, in, path, size_max, fault);
     fclose(in);
-    if (good && memchr(file->text, 0, file->size))
-        good = fault_set(fault, path, "is a binary file, not text");
-    if (good)
-        make_plain(file);
-    else
+    if (!good)
         file_free(file);
     return good;
+}
+
+bool file_read(FileText* file, const char* path, size_t size_max, Fault* fault) {
+    if (!file_read_bytes(file, path, size_max, fault))
+        return false;
+    if (memchr(file->text, 0, file->size)) {
+        file_free(file);
+        return fault_set(fault, path, "is a binary file, not text");
+    }
+    make_plain(file);
+    return true;
 }
 
 void file_free(FileText* file) {

@@ -1,4 +1,4 @@
-/// A whole text file in memory.
+/// A file in memory.
 #ifndef BALLOON_MESH_FILE_H
 #define BALLOON_MESH_FILE_H
 
@@ -12,10 +12,13 @@ typedef struct FileText {
     size_t size; ///< [bytes]
 } FileText;
 
-/// Read a file of at most `most` bytes; every line ends with \n in memory, whatever ended it in the
-/// file, and a byte order mark has become blanks. Refused: what is no regular file, empty, too
-/// long, or holds a zero byte.
-bool file_read(FileText* file, const char* path, size_t most, Fault* fault);
+/// Read a file of at most `size_max` bytes as it is. Refused: what is no regular file, is empty or
+/// longer.
+bool file_read_bytes(FileText* file, const char* path, size_t size_max, Fault* fault);
+
+/// The same for a text: every line ends with \n in memory, whatever ended it in the file, and blanks
+/// replace a byte order mark. A zero byte is refused.
+bool file_read(FileText* file, const char* path, size_t size_max, Fault* fault);
 
 void file_free(FileText* file);
 

@@ -1,28 +1,28 @@
-/// A text taken line by line, in place: the end of the line at hand is a zero.
+/// A text read line by line, in place: a zero ends the current line.
 #ifndef BALLOON_MESH_LINES_H
 #define BALLOON_MESH_LINES_H
 
 #include <stdbool.h>
 
 typedef struct Lines {
-    char* at;    ///< where reading stands in the line
-    char* stop;  ///< the line's end
-    char* next;  ///< the next line
-    char* end;   ///< the text's end, where a zero stands
-    long number; ///< of the line at hand, from 1
-    long taken;  ///< lines so far, those that continue it included
+    char* at;    ///< the next character to read
+    char* stop;  ///< end of the current line
+    char* next;  ///< start of the next line
+    char* end;   ///< end of the text, where a zero stands
+    long number; ///< of the current line, from 1
+    long read;   ///< lines so far, those included that continue another
 } Lines;
 
 /// Go on to the first word of the next line; false at the end of the text.
-bool lines_take(Lines* lines);
+bool lines_next(Lines* lines);
 
-/// Leave the comment out, and append the lines that a backslash at the end calls for.
+/// Cut off a comment, and append the lines that a backslash at the end asks for.
 void lines_complete(Lines* lines);
 
 /// Go on to the next word; false at the end of the line.
 bool lines_word(Lines* lines);
 
-/// How many characters of the word at `at` a sentence shows.
+/// Length of the word at `at`, at most as much as a sentence shows.
 int word_shown(const char* at);
 
 static inline bool is_blank(char c) {

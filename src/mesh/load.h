@@ -1,15 +1,23 @@
-/// A mesh by its name: an OBJ file through assimp, or a shape that the program makes itself.
+/// A mesh by its name: a file, in a format of the table, or a shape that the program makes itself.
 ///
-/// Shared topology is restored exactly, whatever the mesh's size and place. assimp hands out one
-/// vertex per face corner and rounds to single precision; so it is given a text in which each
-/// vertex's coordinates are its number (mesh/obj.h): it resolves the faces, and every corner that
-/// comes back names its vertex.
+/// The topology is exactly the file's: points are shared by index, never by a tolerance.
 #ifndef BALLOON_MESH_LOAD_H
 #define BALLOON_MESH_LOAD_H
 
 #include "mesh/doctor.h"
 
-/// Load `name`: a shape ("cube", "cube-sphere:12", …) or the path of an .obj file.
+typedef struct MeshFormat {
+    const char* extension; ///< with its dot, in lower case
+    bool (*read)(MeshSource* source, const char* path, Fault* fault);
+} MeshFormat;
+
+extern const MeshFormat mesh_format_table[];
+extern const int mesh_format_count;
+
+/// The format that the name's extension names, in any case; NULL if none does.
+const MeshFormat* mesh_format_of(const char* name);
+
+/// Load `name`: a shape ("cube", "cube-sphere:12", …) or the path of a file.
 /// The report is filled even when the mesh is unusable. The caller frees the mesh.
 bool mesh_load(const char* name, Mesh* mesh, MeshReport* report, Fault* fault);
 

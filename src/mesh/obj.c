@@ -2,25 +2,23 @@
 
 #include <locale.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "mesh/file.h"
 #include "mesh/lines.h"
+#include "mesh/mesh.h"
 
-enum {
-    DIGITS_MOST = 9,   ///< an index of more digits is out of range of any file, and of an int
-    PLAIN_V_BYTES = 24 ///< [bytes] a plain `v` line needs at most 15
-};
+enum { DIGITS_MAX = 9 }; ///< an index of more digits is out of range of any file, and of an int
 
 typedef struct Reader {
     Lines lines;
-    char* out;          ///< where the plain text goes on
     MeshSource* source; ///< filled up to its counts
     Fault* fault;
 } Reader;
 
-/// One sentence about the line at hand.
+/// One sentence about the current line.
 __attribute__((format(printf, 2, 3))) static bool refuse(const Reader* reader, const char* format,
                                                          ...) {
     char text[256];
@@ -44,23 +42,7 @@ static bool read_number(Reader* reader, double* number) {
     return true;
 }
 
-/// "v NUMBER 0 0"; printf would take as long as reading the coordinates.
-static void write_plain_v(Reader* reader, int number) {
-    char digit[PLAIN_V_BYTES];
-    int count = 0;
-    do
-        digit[count++] = (char)('0' + number % 10);
-    while ((number /= 10) > 0);
-
-    *reader->out++ = 'v';
-    *reader->out++ = ' ';
-    while (count > 0)
-        *reader->out++ = digit[--count];
-    memcpy(reader->out, " 0 0\n", 5);
-    reader->out += 5;
-}
-
-/// v x y z, and after them a weight or a colour, which must be numbers but do not matter.
+/// v x y z, and after them a weight or a color, which must be numbers and are ignored.
 static bool read_point(Reader* reader) {
     MeshSource* source = reader->source;
     double4 point = {0};
@@ -75,29 +57,38 @@ static bool read_point(Reader* reader) {
     if (numbers < 3)
         return refuse(reader, "a vertex needs three coordinates, here are %d", numbers);
     source->point[source->point_count] = point;
-    source->point_line[source->point_count] = reader->lines.number;
-    write_plain_v(reader, source->point_count++);
+    source->point_line[source->point_count++] = reader->lines.number;
     return true;
 }
 
-/// One corner, "7", "-1", "7/2", "7//3" or "7/2/3": its first number goes on if it can be an index.
-static bool copy_corner(Reader* reader) {
+/// The vertex, from 0, that an index of the current face names; NONE and a fault if there is none.
+/// A positive index may name a vertex further down: check_corners looks at it.
+static int find_point(const Reader* reader, bool backward, int index) {
+    const MeshSource* source = reader->source;
+    if (!backward)
+        return index - 1;
+    if (index <= source->point_count)
+        return source->point_count - index;
+    refuse(reader, "face %d names vertex %d, but there are only %d above it",
+           source->face_count + 1, -index, source->point_count);
+    return NONE;
+}
+
+/// One corner, "7", "-1", "7/2", "7//3" or "7/2/3": its first number is the vertex.
+static bool read_corner(Reader* reader, int* point) {
     char* word = reader->lines.at;
     char* at = word;
-    *reader->out++ = ' ';
-    if (*at == '-')
-        *reader->out++ = *at++;
-    else if (*at == '+')
+    const bool backward = *at == '-';
+    if (*at == '-' || *at == '+')
         at++;
     const char* sign_end = at;
     while (*at == '0')
         at++;
     const char* digits = at;
-    while (*at >= '0' && *at <= '9') {
-        if (at - digits < DIGITS_MOST + 1)
-            *reader->out++ = *at;
-        at++;
-    }
+    int index = 0;
+    for (; *at >= '0' && *at <= '9'; at++)
+        if (at - digits < DIGITS_MAX)
+            index = 10 * index + (*at - '0');
     const long count = at - digits;
     const bool number = at > sign_end && (ends_word(*at) || *at == '/');
     while (*at == '/' || *at == '-' || *at == '+' || (*at >= '0' && *at <= '9'))
@@ -108,19 +99,24 @@ static bool copy_corner(Reader* reader) {
                       word_shown(word), word);
     if (count == 0)
         return refuse(reader, "a corner names vertex 0; they count from 1, or back from -1");
-    if (count > DIGITS_MOST)
+    if (count > DIGITS_MAX)
         return refuse(reader, "there is no vertex %.*s", word_shown(word), word);
-    return true;
+    *point = find_point(reader, backward, index);
+    return *point != NONE;
 }
 
 static bool read_face(Reader* reader) {
     MeshSource* source = reader->source;
+    int* face = source->face[source->face_count];
+    face[3] = NONE;
     int corners = 0;
-    *reader->out++ = 'f';
-    for (; lines_word(&reader->lines); corners++)
-        if (!copy_corner(reader))
+    for (; lines_word(&reader->lines); corners++) {
+        int point = NONE;
+        if (!read_corner(reader, &point))
             return false;
-    *reader->out++ = '\n';
+        if (corners < 4)
+            face[corners] = point;
+    }
     if (corners < 3 || corners > 4)
         return refuse(reader,
                       "face %d has %d corner%s; only quads and triangles can be balloons: %s",
@@ -157,102 +153,77 @@ static bool is_line_of(const char* at, char word) {
     return at[0] == word && (ends_word(at[1]) || at[1] == '\n');
 }
 
-/// At most so many vertices and faces, so that arrays are made once.
+/// Upper bounds of the numbers of vertices and faces, so that arrays are made once.
 static void count_lines(const FileText* file, int* points, int* faces) {
     const char* end = file->text + file->size;
-    for (const char* at = file->text; at && at < end;) {
+    const char* at = file->text;
+    while (at < end) {
         while (is_blank(*at))
             at++;
         *points += is_line_of(at, 'v');
         *faces += is_line_of(at, 'f');
-        at = memchr(at, '\n', (size_t)(end - at));
-        at += at != NULL;
+        const char* newline = memchr(at, '\n', (size_t)(end - at));
+        at = newline ? newline + 1 : end;
     }
 }
 
-static bool read_lines(ObjText* obj, MeshSource* source, const FileText* file, Fault* fault) {
+/// Every corner names a vertex of the file.
+static bool check_corners(const MeshSource* source, Fault* fault) {
+    for (int f = 0; f < source->face_count; f++)
+        for (int k = 0; k < 4; k++)
+            if (source->face[f][k] >= source->point_count)
+                return fault_at(fault, source->name, source->face_line[f],
+                                "face %d names vertex %d, but there are only %d", f + 1,
+                                source->face[f][k] + 1, source->point_count);
+    return true;
+}
+
+static bool read_lines(MeshSource* source, const FileText* file, Fault* fault) {
     Reader reader = {
         .lines = {.next = file->text, .end = file->text + file->size},
-        .out = obj->text,
         .source = source,
         .fault = fault,
     };
-    while (lines_take(&reader.lines))
+    while (lines_next(&reader.lines))
         if (!read_line(&reader))
             return false;
-    obj->size = (size_t)(reader.out - obj->text);
     if (source->point_count == 0)
         return fault_set(fault, source->name, "has no vertices ('v' lines); is it an OBJ file?");
     if (source->face_count == 0)
         return fault_set(fault, source->name,
                          "has no faces ('f' lines), and a skin is made of faces");
-    return true;
+    return check_corners(source, fault);
 }
 
-/// Room for all that the file can hold, with the counts at zero.
-static bool make_room(ObjText* obj, MeshSource* source, const char* path, const FileText* file,
-                      Fault* fault) {
+/// Arrays for all that the file can hold, with the counts at zero.
+static bool make_arrays(MeshSource* source, const char* path, const FileText* file, Fault* fault) {
     int points = 0;
     int faces = 0;
     count_lines(file, &points, &faces);
-    if (points > POINTS_MOST || faces > FACES_MOST)
-        return fault_set(fault, path, "has %d vertices and %d faces; at most %d and %d can be read",
-                         points, faces, POINTS_MOST, FACES_MOST);
-    source_make(source, path, points, faces);
+    if (!source_make_bounded(source, path, points, faces, fault))
+        return false;
     source->point_line = new_array(long, points);
     source->face_line = new_array(long, faces);
     source->point_count = 0;
     source->face_count = 0;
-    obj->text = new_array(char, file->size + PLAIN_V_BYTES * ((size_t)points + 1));
     return true;
 }
 
-bool obj_read(ObjText* obj, MeshSource* source, const char* path, Fault* fault) {
-    *obj = (ObjText){0};
+bool obj_read(MeshSource* source, const char* path, Fault* fault) {
     *source = (MeshSource){0};
     FileText file;
-    if (!file_read(&file, path, FILE_BYTES_MOST, fault))
+    if (!file_read(&file, path, FILE_BYTES_MAX, fault))
         return false;
 
     // a decimal point is a point, whatever the user's language
     const locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     const locale_t users = uselocale(c_locale);
-    const bool good =
-        make_room(obj, source, path, &file, fault) && read_lines(obj, source, &file, fault);
+    const bool good = make_arrays(source, path, &file, fault) && read_lines(source, &file, fault);
     uselocale(users);
     freelocale(c_locale);
 
     file_free(&file);
-    if (!good) {
-        obj_free(obj);
+    if (!good)
         source_free(source);
-    }
     return good;
-}
-
-bool obj_check_corners(const ObjText* obj, const MeshSource* source, Fault* fault) {
-    const char* end = obj->text + obj->size;
-    int points = 0;
-    int face = 0;
-    for (char* at = obj->text; at < end; at = strchr(at, '\n') + 1) {
-        points += *at == 'v';
-        if (*at != 'f')
-            continue;
-        for (at++; *at == ' ';) {
-            const long index = strtol(at, &at, 10);
-            const long point = index < 0 ? points + index : index - 1;
-            if (point < 0 || point >= source->point_count)
-                return fault_at(fault, source->name, source->face_line[face],
-                                "face %d names vertex %ld, but there are only %d%s", face + 1,
-                                index, index < 0 ? points : source->point_count,
-                                index < 0 ? " above it" : "");
-        }
-        face++;
-    }
-    return true;
-}
-
-void obj_free(ObjText* obj) {
-    free(obj->text);
-    *obj = (ObjText){0};
 }

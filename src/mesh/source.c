@@ -14,6 +14,16 @@ void source_make(MeshSource* source, const char* name, int point_count, int face
     };
 }
 
+bool source_make_bounded(MeshSource* source, const char* path, long points, long faces,
+                         Fault* fault) {
+    if (points > POINTS_MAX || faces > FACES_MAX)
+        return fault_set(fault, path,
+                         "has %ld vertices and %ld faces; at most %d and %d can be read", points,
+                         faces, POINTS_MAX, FACES_MAX);
+    source_make(source, path, (int)points, (int)faces);
+    return true;
+}
+
 void source_free(MeshSource* source) {
     free(source->point);
     free(source->face);

@@ -5,6 +5,7 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "mesh/load.h"
 #include "mesh/shape.h"
 #include "base/paths.h"
 #include "scene/scene.h"
@@ -57,7 +58,7 @@ static bool find_mesh(const char* name, SceneSource* source) {
         snprintf(source->model, sizeof source->model, "%s", name);
         return true;
     }
-    if (!ends_with(name, ".obj") || !typed_or_own("assets/models", name, source->file, &unused))
+    if (!mesh_format_of(name) || !typed_or_own("assets/models", name, source->file, &unused))
         return false;
     snprintf(source->model, sizeof source->model, "%s", after_slash(source->file));
     return true;
@@ -108,7 +109,7 @@ bool scene_find(const char* name, SceneSource* source, Fault* fault) {
     shape_words(shapes, sizeof shapes);
     return fault_set(fault, name,
                      "there is no such scene or mesh, here or in assets/scenes and assets/models; "
-                     "scenes are %s; shapes are %s; or give the path of a .yaml or an .obj",
+                     "scenes are %s; shapes are %s; or give the path of a .yaml or a mesh",
                      scenes, shapes);
 }
 

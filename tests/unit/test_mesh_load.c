@@ -172,8 +172,8 @@ static void bad_files_are_named(void** state) {
     refuse_path(large.path, "has 314572800 bytes; at most 268435456 can be read");
     remove_file(&large);
 
-    const TextFile other = write_bytes("mesh.stl", "solid\n", 6);
-    refuse_path(other.path, "is not an .obj file; convert it with Blender");
+    const TextFile other = write_bytes("mesh.ply", "ply\n", 4);
+    refuse_path(other.path, "is not a mesh file (.obj, .stl, .off, .glb, .gltf); convert it with");
     remove_file(&other);
 
     const TextFile secret = write_bytes("mesh.obj", "v 0 0 0\n", 8);
@@ -220,6 +220,26 @@ static void many_groups_cost_nothing(void** state) {
         assert_true(mesh.point[mesh.face[f][0]][0] == f);
     free(text);
     mesh_free(&mesh);
+}
+
+/// A line continued again and again is read in linear time: quadratic, this would take minutes.
+static void long_continued_lines_are_read(void** state) {
+    (void)state;
+    enum { N = 1000000 };
+    char* text = NULL;
+    size_t size = 0;
+    FILE* out = open_memstream(&text, &size);
+    fprintf(out, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2");
+    for (int i = 0; i < N; i++)
+        fprintf(out, " \\\n ");
+    fprintf(out, "3\nf 1 2\n");
+    fclose(out);
+    Mesh mesh;
+    MeshReport report;
+    Fault fault = {0};
+    assert_false(load_text(text, &mesh, &report, &fault));
+    assert_non_null(strstr(fault.place, "mesh.obj:1000005"));
+    free(text);
 }
 
 static void spot_has_its_counts(void** state) {
@@ -309,6 +329,7 @@ int main(void) {
         cmocka_unit_test(bad_files_are_named),
         cmocka_unit_test(capital_extension_is_an_obj_file),
         cmocka_unit_test(many_groups_cost_nothing),
+        cmocka_unit_test(long_continued_lines_are_read),
         cmocka_unit_test(spot_has_its_counts),
         cmocka_unit_test(pentagons_among_quads_are_refused),
         cmocka_unit_test(mutations_load_or_are_refused),
