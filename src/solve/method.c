@@ -18,31 +18,30 @@ const char* method_names(void) {
     return table_names(method_table, method_count, names, sizeof names);
 }
 
-double method_unlimited(double w2, double gamma) {
-    (void)w2, (void)gamma;
-    return INFINITY;
+double method_limit(const Method* method, double w2, double gamma) {
+    return method->implicit ? INFINITY : method->limit(w2, gamma);
 }
 
 /// Damping rates c/m over the particles that move [1/s].
-static void damping_rates(const Body* body, double* least, double* most) {
-    real light = 0, heavy = (real)INFINITY; // the largest and the least 1/m
+static void damping_rates(const Body* body, double* min, double* max) {
+    real light = 0, heavy = (real)INFINITY; // the largest and the smallest 1/m
     for (int i = 0; body->damping.coefficient != 0 && i < body->count; i++) {
         const real w = body->inverse_mass[i];
         light = w > light ? w : light;
         heavy = w > 0 && w < heavy ? w : heavy;
     }
-    *most = body->damping.coefficient * (double)light + body->damping.rate;
-    *least = light > 0 ? body->damping.coefficient * (double)heavy + body->damping.rate : *most;
+    *max = body->damping.coefficient * (double)light + body->damping.rate;
+    *min = light > 0 ? body->damping.coefficient * (double)heavy + body->damping.rate : *max;
 }
 
 double method_bound(const Method* method, const Body* body) {
-    if (method->limit == method_unlimited)
+    if (method->implicit)
         return INFINITY;
     double w2 = 0;
     for (int k = 0; k < force_count; k++)
         if (force_table[k]->bound && force_table[k]->present(body))
             w2 += force_table[k]->bound(body);
-    double least, most;
-    damping_rates(body, &least, &most);
-    return fmin(method->limit(w2, least), method->limit(w2, most));
+    double min, max;
+    damping_rates(body, &min, &max);
+    return fmin(method->limit(w2, min), method->limit(w2, max));
 }

@@ -40,7 +40,9 @@ typedef struct Effort {
 typedef struct Method {
     const char* name;
     const char* about;
-    bool can_fail;
+    bool implicit; ///< stable at every step
+    bool iterates; ///< it has iterations, products and a residual to report
+    bool can_fail; ///< its kick may return false
 
     /// Why this method cannot step this body, or NULL if it can.
     const char* (*refuses)(const Body* body);
@@ -58,7 +60,8 @@ typedef struct Method {
     void (*drift)(Body* body, double h);
 
     /// Largest stable step [s] for the largest squared frequency w2 [1/s^2] and the damping rate
-    /// gamma = c/m [1/s]; INFINITY where there is none, 0 where no step is stable.
+    /// gamma = c/m [1/s]; INFINITY where there is none, 0 where no step is stable. Only of explicit
+    /// methods; method_limit asks any.
     double (*limit)(double w2, double gamma);
 } Method;
 
@@ -73,8 +76,8 @@ const Method* method_find(const char* name);
 /// Names of all methods, "euler, …", for sentences.
 const char* method_names(void);
 
-/// The limit of a method that is stable at every step: INFINITY.
-double method_unlimited(double w2, double gamma);
+/// The row's limit; INFINITY for an implicit method.
+double method_limit(const Method* method, double w2, double gamma);
 
 /// The bound that this program computes for a body: the method's limit for the sum of all forces'
 /// bounds on the squared frequency (never less than the true one) and the damping, the least and

@@ -342,10 +342,11 @@ static bool kick(Body* body, void* self, double h, Effort* effort) {
 const Method method_newton = {
     .name = "newton",
     .about = "backward Euler by Newton and conjugate gradients, order 1, any step",
+    .implicit = true,
+    .iterates = true,
     .can_fail = true,
     .open = open,
     .close = close,
     .kick = kick,
     .drift = body_drift,
-    .limit = method_unlimited,
 };

@@ -201,11 +201,12 @@ static bool kick(Body* body, void* self, double h, Effort* effort) {
 const Method method_projective = {
     .name = "projective",
     .about = "local and global steps on a factored matrix, order 1, any step; Hooke's law",
+    .implicit = true,
+    .iterates = true,
     .can_fail = true,
     .refuses = refuses,
     .open = open,
     .close = close,
     .kick = kick,
     .drift = body_drift,
-    .limit = method_unlimited,
 };

@@ -148,10 +148,11 @@ static bool kick(Body* body, void* self, double h, Effort* effort) {
 const Method method_xpbd = {
     .name = "xpbd",
     .about = "position-based constraints, order 1, any step; soft where iterations are few",
+    .implicit = true,
+    .iterates = true,
     .refuses = predict_refuses,
     .open = open,
     .close = close,
     .kick = kick,
     .drift = body_drift,
-    .limit = method_unlimited,
 };

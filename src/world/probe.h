@@ -1,6 +1,5 @@
-/// What can be measured of a world, in double, and the CSV that prints it.
+/// Reads a world's outputs (world/outputs.h), in double, by name and as a CSV.
 ///
-/// The columns are a table: each row has a name, whether a balloon has it, and how it is measured.
 /// What a scene does not model has no column: balls have columns in a scene that begins with some,
 /// as many as it begins with. `sphere0` is the first of the balls that there are; while there is no
 /// ball of a number, because they were taken away, its columns read nan.

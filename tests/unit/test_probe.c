@@ -1,4 +1,6 @@
 /// What can be measured: the columns of a CSV follow from the scene, and hold what they say.
+#include "force/force.h"
+#include "world/outputs.h"
 #include "worlds.h"
 
 static const char* const two_balls =
@@ -101,12 +103,64 @@ static void a_ball_that_was_taken_away_is_nowhere(void** state) {
     world_close(&world);
 }
 
+/// `iterations, products, residual` are columns of a method that iterates, and of no other; one that
+/// does not leaves the solve statistics alone.
+static void only_methods_that_iterate_report_iterations(void** state) {
+    (void)state;
+    static const char* const column[] = {"iterations", "products", "residual"};
+    for (int m = 0; m < method_count; m++) {
+        World world;
+        char text[8192], method[64];
+        snprintf(method, sizeof method, "method=%s", method_table[m]->name);
+        WORLD_OF(&world, "tether", method);
+        csv(&world, text);
+        text[strcspn(text, "\n")] = 0;
+        for (int k = 0; k < 3; k++)
+            assert_int_equal(strstr(text, column[k]) != NULL, method_table[m]->iterates);
+        world_step(&world);
+        assert_int_equal(world.balloon[0].effort.iterations > 0, method_table[m]->iterates);
+        world_close(&world);
+    }
+}
+
+/// A row says everything of its column, and a kind has no column twice.
+static void every_output_has_a_unit_and_a_sentence(void** state) {
+    (void)state;
+    for (int k = 0; k < output_count; k++) {
+        const Output* output = &output_table[k];
+        assert_true(output->column[0] && output->unit[0] && output->about[0]);
+        assert_int_equal(output->of_balloon != NULL, output->kind == OF_BALLOON);
+        assert_int_equal(output->value != NULL, output->kind != OF_BALLOON);
+        for (int other = 0; other < k; other++)
+            assert_false(output_table[other].kind == output->kind &&
+                         strcmp(output_table[other].column, output->column) == 0);
+    }
+}
+
+/// `elastic` is the sum over the rows that say so, whichever they are.
+static void elastic_energy_is_that_of_the_rows_that_say_so(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "tether");
+    run_for(&world, 0.1);
+    double sum = 0;
+    for (int k = 0; k < force_count; k++)
+        if (force_table[k]->elastic && force_table[k]->present(&world.balloon[0].body))
+            sum += force_table[k]->energy(&world.balloon[0].body);
+    assert_true(sum > 0);
+    assert_near(probe(&world, "balloon0.elastic"), sum, 0);
+    world_close(&world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_name_has_a_number),
         cmocka_unit_test(balls_of_the_scene_have_columns_in_order),
         cmocka_unit_test(thrown_balls_have_values_and_no_columns),
         cmocka_unit_test(a_ball_that_was_taken_away_is_nowhere),
+        cmocka_unit_test(only_methods_that_iterate_report_iterations),
+        cmocka_unit_test(every_output_has_a_unit_and_a_sentence),
+        cmocka_unit_test(elastic_energy_is_that_of_the_rows_that_say_so),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

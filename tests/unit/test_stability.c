@@ -47,7 +47,7 @@ static void methods_fail_where_theory_says(void** state) {
         for (int d = 0; d < 5; d++) {
             const Method* method = method_table[m];
             const double gamma = strtod(damping[d], NULL) / 1e-3;
-            if (method->limit(221899.946, gamma) == INFINITY)
+            if (method->implicit)
                 continue;
             char word[64];
             snprintf(word, sizeof word, "balloons.0.damping.coefficient=%s", damping[d]);
@@ -83,7 +83,7 @@ static void no_step_below_the_bound_is_unstable(void** state) {
 #undef SET
     for (int m = 0; m < method_count; m++)
         for (int k = 0; k < 3 * 5 + 4 * 8; k++) {
-            if (method_table[m]->limit(INFINITY, INFINITY) == INFINITY)
+            if (method_table[m]->implicit)
                 continue; // any step: there is no bound
             const bool paper = k < 3 * 5;
             const char* skin = paper ? springs[k / 5] : rubber[(k - 15) / 8];

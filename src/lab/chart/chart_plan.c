@@ -149,16 +149,14 @@ static void add_point(ChartPlan* plan, const Dress* dress, const World* world, c
     point->launch = find_launch(plan, &launch);
 }
 
-/// Implicit methods are those that no step makes unstable.
 static bool takes_part(const Method* method, ChartWho who) {
-    const bool implicit = method->limit(INFINITY, INFINITY) == INFINITY;
     switch (who) {
         case EXPLICIT:
-            return !implicit;
+            return !method->implicit;
         case IMPLICIT:
-            return implicit;
+            return method->implicit;
         case HELD:
-            return method->limit(1, 0) > 0;
+            return method_limit(method, 1, 0) > 0;
         default:
             return true;
     }

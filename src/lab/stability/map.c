@@ -190,7 +190,7 @@ bool map_work(Map* map) {
         trial_start(&map->trial, map_step(map, map->column));
     double growth;
     Verdict verdict;
-    const int steps = map->trial.world.method->open ? 1 : PART;
+    const int steps = map->trial.world.method->iterates ? 1 : PART;
     map->running = !trial_follow(&map->trial, steps, &verdict, &growth);
     if (map->running)
         return true;

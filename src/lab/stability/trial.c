@@ -301,7 +301,7 @@ double trial_limit(Trial* trial) {
 }
 
 double trial_theory(const Trial* trial) {
-    return trial->world.method->limit(trial->w2, trial->gamma);
+    return method_limit(trial->world.method, trial->w2, trial->gamma);
 }
 
 double trial_bound(Trial* trial) {

@@ -1,0 +1,233 @@
+#include "world/outputs.h"
+
+#include "force/force.h"
+#include "force/inflation.h"
+#include "force/strings.h"
+#include "mesh/measure.h"
+
+static double kinetic(const Balloon* balloon) {
+    const Body* body = &balloon->body;
+    double sum = 0;
+    for (int i = 0; i < body->count; i++) {
+        const double4 v = to_double4(body->v[i]);
+        sum += (double)body->mass[i] * ddot(v, v);
+    }
+    return sum / 2;
+}
+
+static double energy(const Balloon* balloon, const Force* force) {
+    const Body* body = &balloon->body;
+    return force->energy && force->present(body) ? force->energy(body) : 0;
+}
+
+/// Energy that the skin and its tethers store.
+static double elastic(const Balloon* balloon) {
+    double sum = 0;
+    for (int k = 0; k < force_count; k++)
+        if (force_table[k]->elastic)
+            sum += energy(balloon, force_table[k]);
+    return sum;
+}
+
+static double total_energy(const Balloon* balloon) {
+    double sum = kinetic(balloon);
+    for (int k = 0; k < force_count; k++)
+        sum += energy(balloon, force_table[k]);
+    return sum;
+}
+
+static double mass(const Body* body) {
+    double sum = 0;
+    for (int i = 0; i < body->count; i++)
+        sum += (double)body->mass[i];
+    return sum;
+}
+
+static double4 momentum(const Body* body) {
+    double4 sum = {0, 0, 0, 0};
+    for (int i = 0; i < body->count; i++)
+        sum += (double)body->mass[i] * to_double4(body->v[i]);
+    return sum;
+}
+
+static double4 angular_momentum(const Body* body) {
+    double4 sum = {0, 0, 0, 0};
+    for (int i = 0; i < body->count; i++)
+        sum += (double)body->mass[i] * dcross(to_double4(body->x[i]), to_double4(body->v[i]));
+    return sum;
+}
+
+static double4 center(const Body* body) {
+    double4 sum = {0, 0, 0, 0};
+    for (int i = 0; i < body->count; i++)
+        sum += (double)body->mass[i] * to_double4(body->x[i]);
+    return sum / mass(body);
+}
+
+static double volume(const Balloon* balloon) {
+    return measure_volume(&balloon->mesh, balloon->body.x);
+}
+
+static double area(const Balloon* balloon) {
+    return measure_area(&balloon->mesh, balloon->body.x);
+}
+
+static double lift(const Balloon* balloon) {
+    const Body* body = &balloon->body;
+    const double helium = mass(body) * body_helium(body);
+    if (!body->inflation.weighs)
+        return helium;
+    return helium + body->gravity * (air_density * measure_volume(body->mesh, body->x) -
+                                     gas_mass(&body->inflation));
+}
+
+/// Side of the bounding box along an axis.
+static double extent(const Balloon* balloon, int axis) {
+    const Body* body = &balloon->body;
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < body->count; i++) {
+        low = fmin(low, (double)body->x[i][axis]);
+        high = fmax(high, (double)body->x[i][axis]);
+    }
+    return high - low;
+}
+
+static double stretch_max(const Balloon* balloon) {
+    const Springs* springs = &balloon->body.springs;
+    const Membrane* membrane = &balloon->body.membrane;
+    double max = 0;
+    for (int e = 0; e < membrane->count; e++)
+        max = fmax(max, membrane_stretch(membrane, balloon->body.x, e));
+    for (int s = 0; s < springs->count; s++) {
+        const int* end = springs->end[s];
+        const double length_now = (double)length(balloon->body.x[end[0]] - balloon->body.x[end[1]]);
+        if (springs->rest[s] > 0)
+            max = fmax(max, length_now / (double)springs->rest[s]);
+    }
+    return max;
+}
+
+static double thickness_min(const Balloon* balloon) {
+    const Membrane* membrane = &balloon->body.membrane;
+    double min = INFINITY;
+    for (int e = 0; e < membrane->count; e++)
+        min = fmin(min, membrane_thickness(membrane, balloon->body.x, e));
+    return min;
+}
+
+static double rubber_volume(const Balloon* balloon) {
+    return membrane_volume_ratio(&balloon->body.membrane, balloon->body.x).sum;
+}
+
+static double rubber_worst(const Balloon* balloon) {
+    return membrane_volume_ratio(&balloon->body.membrane, balloon->body.x).worst;
+}
+
+/// A string that is untied for now has no tension.
+static double tension(const OutputSubject* s) {
+    const Body* body = &s->balloon->body;
+    return s->number < body->string_count ? string_tension(body, s->number) : 0;
+}
+
+/// A component of a ball's position or velocity; a ball that was taken away is nowhere.
+static double sphere_component(const OutputSubject* s, bool is_velocity, int axis) {
+    const Contacts* contacts = &s->world->contacts;
+    if (s->number >= contacts->sphere_count)
+        return (double)NAN;
+    const Sphere* sphere = &contacts->sphere[s->number];
+    return (double)(is_velocity ? sphere->v : sphere->x)[axis];
+}
+
+// clang-format off
+#define SUBJECT const OutputSubject* s
+static double seconds(SUBJECT) { return world_time(s->world); }
+static double pass_throughs(SUBJECT) { return (double)s->world->contacts.pass_throughs; }
+static double x(SUBJECT) { return sphere_component(s, false, 0); }
+static double y(SUBJECT) { return sphere_component(s, false, 1); }
+static double z(SUBJECT) { return sphere_component(s, false, 2); }
+static double vx(SUBJECT) { return sphere_component(s, true, 0); }
+static double vy(SUBJECT) { return sphere_component(s, true, 1); }
+static double vz(SUBJECT) { return sphere_component(s, true, 2); }
+#undef SUBJECT
+
+#define BALLOON const Balloon* b
+static double amount(BALLOON) { return b->body.inflation.amount; }
+static double iterations(BALLOON) { return b->effort.iterations; }
+static double products(BALLOON) { return b->effort.products; }
+static double residual(BALLOON) { return b->effort.residual; }
+static double px(BALLOON) { return momentum(&b->body)[0]; }
+static double py(BALLOON) { return momentum(&b->body)[1]; }
+static double pz(BALLOON) { return momentum(&b->body)[2]; }
+static double lx(BALLOON) { return angular_momentum(&b->body)[0]; }
+static double ly(BALLOON) { return angular_momentum(&b->body)[1]; }
+static double lz(BALLOON) { return angular_momentum(&b->body)[2]; }
+static double width(BALLOON) { return extent(b, 0); }
+static double height(BALLOON) { return extent(b, 1); }
+static double depth(BALLOON) { return extent(b, 2); }
+static double cx(BALLOON) { return center(&b->body)[0]; }
+static double cy(BALLOON) { return center(&b->body)[1]; }
+static double cz(BALLOON) { return center(&b->body)[2]; }
+
+static bool closed(BALLOON) { return b->mesh.closed; }
+static bool inflated(BALLOON) { return b->body.inflation.law != INFLATE_NONE; }
+static bool lifted(BALLOON) { return b->def->helium || b->body.inflation.weighs; }
+static bool elastic_skin(BALLOON) { return b->def->skin.springs || b->def->skin.membrane; }
+static bool thick(BALLOON) { return b->def->skin.membrane != NULL; }
+static bool gassy(BALLOON) { return b->body.inflation.law == INFLATE_GAS; }
+static bool iterated(BALLOON) { return b->method->iterates; }
+#undef BALLOON
+
+const char* const output_prefix[OUTPUT_KINDS] = {
+    [OF_TIME] = "",
+    [OF_BALLOON] = "balloonN.",
+    [OF_STRING] = "balloonN.stringK.",
+    [OF_SPHERE] = "sphereN.",
+    [OF_SPHERES] = "",
+};
+
+#define Q(has, of) OF_BALLOON, .present = has, .of_balloon = of
+const Output output_table[] = {
+    {"t", "s", "simulated time", OF_TIME, .value = seconds},
+    {"volume", "m^3", "volume that the skin encloses", Q(closed, volume)},
+    {"area", "m^2", "area of the skin", Q(NULL, area)},
+    {"gauge_pressure", "Pa", "pressure on the skin, above the air's", Q(inflated, balloon_pressure)},
+    {"lift", "N", "upward force of helium, or of the air less the weight of the filling", Q(lifted, lift)},
+    {"kinetic", "J", "kinetic energy", Q(NULL, kinetic)},
+    {"elastic", "J", "energy stored in skin and strings", Q(elastic_skin, elastic)},
+    {"total_energy", "J", "kinetic energy and the energies of all forces", Q(NULL, total_energy)},
+    {"px", "kg m/s", "linear momentum along x", Q(NULL, px)},
+    {"py", "kg m/s", "linear momentum along y, upward", Q(NULL, py)},
+    {"pz", "kg m/s", "linear momentum along z", Q(NULL, pz)},
+    {"lx", "kg m^2/s", "angular momentum about the x axis", Q(NULL, lx)},
+    {"ly", "kg m^2/s", "angular momentum about the y axis", Q(NULL, ly)},
+    {"lz", "kg m^2/s", "angular momentum about the z axis", Q(NULL, lz)},
+    {"cx", "m", "center of mass, x", Q(NULL, cx)},
+    {"cy", "m", "center of mass, y", Q(NULL, cy)},
+    {"cz", "m", "center of mass, z", Q(NULL, cz)},
+    {"width", "m", "extent along x", Q(NULL, width)},
+    {"height", "m", "extent along y", Q(NULL, height)},
+    {"depth", "m", "extent along z", Q(NULL, depth)},
+    {"stretch_max", "1", "largest stretch of a spring or an element", Q(elastic_skin, stretch_max)},
+    {"thickness_min", "m", "smallest thickness of the rubber", Q(thick, thickness_min)},
+    {"rubber_volume", "1", "volume of the rubber over its first", Q(thick, rubber_volume)},
+    {"rubber_worst", "1", "that ratio of the element which is farthest from 1", Q(thick, rubber_worst)},
+    {"amount", "1", "amount of gas, in units of the scene's", Q(gassy, amount)},
+    {"iterations", "1", "iterations of the last solve", Q(iterated, iterations)},
+    {"products", "1", "Hessian-vector products of the last solve", Q(iterated, products)},
+    {"residual", "1", "relative residual of the last solve", Q(iterated, residual)},
+    {"tension", "N", "tension of a string", OF_STRING, .value = tension},
+    {"x", "m", "position of a ball's center, x", OF_SPHERE, .value = x},
+    {"y", "m", "position of a ball's center, y", OF_SPHERE, .value = y},
+    {"z", "m", "position of a ball's center, z", OF_SPHERE, .value = z},
+    {"vx", "m/s", "velocity of a ball, x", OF_SPHERE, .value = vx},
+    {"vy", "m/s", "velocity of a ball, y", OF_SPHERE, .value = vy},
+    {"vz", "m/s", "velocity of a ball, z", OF_SPHERE, .value = vz},
+    {"pass_throughs", "1", "times that a ball has passed through a skin", OF_SPHERES, .value = pass_throughs},
+};
+#undef Q
+// clang-format on
+const int output_count = sizeof output_table / sizeof *output_table;
+
+double output_value(const Output* output, const OutputSubject* subject) {
+    return output->of_balloon ? output->of_balloon(subject->balloon) : output->value(subject);
+}

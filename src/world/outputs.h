@@ -1,0 +1,46 @@
+/// Outputs: a table, one row for each named number of the state.
+///
+/// The CSV's header, an `about:` of a scene, `balloon list` and the scene reference walk it. The
+/// order of the rows of a kind is that of the columns.
+#ifndef BALLOON_WORLD_OUTPUTS_H
+#define BALLOON_WORLD_OUTPUTS_H
+
+#include "world/world.h"
+
+/// What a row is a number of: the time, each balloon, each string of a balloon, each ball, or all
+/// balls together.
+typedef enum OutputKind {
+    OF_TIME,
+    OF_BALLOON,
+    OF_STRING,
+    OF_SPHERE,
+    OF_SPHERES,
+    OUTPUT_KINDS
+} OutputKind;
+
+/// Before the column's name, "balloonN.stringK." with the numbers N and K.
+extern const char* const output_prefix[OUTPUT_KINDS];
+
+/// One thing that has outputs.
+typedef struct OutputSubject {
+    const World* world;
+    const Balloon* balloon; ///< of OF_BALLOON and OF_STRING
+    int number;             ///< of the string or the ball
+} OutputSubject;
+
+typedef struct Output {
+    const char* column; ///< "volume"
+    const char* unit;   ///< "1" where there is none
+    const char* about;  ///< a sentence's worth, for help and reference
+    OutputKind kind;
+    bool (*present)(const Balloon* balloon); ///< NULL: every balloon has it
+    double (*of_balloon)(const Balloon* balloon);
+    double (*value)(const OutputSubject* subject); ///< of kinds other than OF_BALLOON
+} Output;
+
+extern const Output output_table[];
+extern const int output_count;
+
+double output_value(const Output* output, const OutputSubject* subject);
+
+#endif
