@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "mesh/group.h"
+#include "mesh/counting_sort.h"
 
 const char* const volume_rule_name[VOLUME_RULES] = {"local", "global"};
 
@@ -105,7 +105,7 @@ static void sort_faces(const Mesh* mesh, int* order) {
         for (int k = 1; k < face_corners(mesh->face[f]); k++)
             key[f] = mesh->face[f][k] < key[f] ? mesh->face[f][k] : key[f];
     }
-    group_by_key(key, mesh->face_count, mesh->point_count, from, order);
+    counting_sort(key, mesh->face_count, mesh->point_count, from, order);
     free(key);
     free(from);
 }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "mesh/group.h"
+#include "mesh/counting_sort.h"
 
 /// What the slots are made from, and those of one particle.
 typedef struct Maker {
@@ -201,7 +201,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     if (springs) {
         maker.spring_from = new_array(int, count + 1);
         maker.spring = new_array(int, 2 * springs->count);
-        group_by_key(springs->end[0], 2 * springs->count, count, maker.spring_from, maker.spring);
+        counting_sort(springs->end[0], 2 * springs->count, count, maker.spring_from, maker.spring);
         most += most_between(maker.spring_from, count);
         slices->spring = new_array(int[2], springs->count);
     }

@@ -11,7 +11,7 @@
 ///             / \               closes the ring at b_0; a triangle has c_k = b_k
 ///            …   c1
 ///
-/// Particles are numbered along fronts (mesh/order.h), so the eight neighbours in a slot often
+/// Particles are numbered along fronts (mesh/reorder.h), so the eight neighbours in a slot often
 /// follow each other as the particles do: of the 11,120 of the teddy in 47 of 100 slots, on a
 /// regular mesh of that size in 81. Such a row is read straight from arrays of each coordinate.
 ///

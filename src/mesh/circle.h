@@ -1,5 +1,5 @@
-/// The point k/n of the way around the unit circle, by arithmetic that is the same everywhere:
-/// the C library's sine may differ in its last bit from one machine to the next.
+/// Sine and cosine of 2 pi k / n by + - * / only, so that every machine computes the same bits: the C
+/// library's sine may differ in its last bit between machines.
 #ifndef BALLOON_MESH_CIRCLE_H
 #define BALLOON_MESH_CIRCLE_H
 

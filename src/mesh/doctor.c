@@ -5,10 +5,10 @@
 #include "base/memory.h"
 #include "mesh/edges.h"
 #include "mesh/facet.h"
-#include "mesh/flaws.h"
-#include "mesh/sets.h"
+#include "mesh/validate.h"
+#include "mesh/disjoint_sets.h"
 #include "mesh/weld.h"
-#include "mesh/wind.h"
+#include "mesh/orient.h"
 
 static void count_faces(const MeshSource* source, MeshReport* report) {
     for (int f = 0; f < source->face_count; f++)
@@ -25,7 +25,7 @@ static void count_points(const MeshSource* source, const Edges* edges, MeshRepor
     for (int i = 0; i < source->point_count; i++) {
         report->points += valence[i] > 0;
         if (valence[i] > 0)
-            report->valence[valence[i] < VALENCE_MOST ? valence[i] : VALENCE_MOST]++;
+            report->valence[valence[i] < VALENCE_MAX ? valence[i] : VALENCE_MAX]++;
     }
     report->unused_points = source->point_count - report->points - report->welded_points;
     free(valence);
@@ -33,17 +33,17 @@ static void count_points(const MeshSource* source, const Edges* edges, MeshRepor
 
 /// Rim edges, and the loops that they form.
 static void count_rims(const MeshSource* source, const Edges* edges, MeshReport* report) {
-    int* loop = sets_make(source->point_count);
+    int* loop = disjoint_make(source->point_count);
     for (int e = 0; e < edges->count; e++)
         if (edges->sides[e] == 1)
-            sets_join(loop, edges->end[e][0], edges->end[e][1]);
+            disjoint_join(loop, edges->end[e][0], edges->end[e][1]);
 
     // each point of a sound rim begins one of its edges, the loop's root among them
     char* counted = new_array(char, source->point_count);
     for (int e = 0; e < edges->count; e++) {
         if (edges->sides[e] != 1)
             continue;
-        const int root = sets_root(loop, edges->end[e][0]);
+        const int root = disjoint_root(loop, edges->end[e][0]);
         report->rim_edges++;
         report->rims += !counted[root];
         counted[root] = 1;
@@ -103,15 +103,15 @@ static void examine(MeshSource* source, MeshReport* report) {
     count_points(source, &edges, report);
     count_rims(source, &edges, report);
 
-    flaw_degenerate(source, report);
-    flaw_duplicate(source, report);
-    flaw_edges(source, &edges, report);
-    flaw_points(source, &edges, report);
+    validate_degenerate(source, report);
+    validate_duplicate(source, report);
+    validate_edges(source, &edges, report);
+    validate_points(source, &edges, report);
 
-    const Winding winding = wind_faces(source, &edges);
-    report->components = winding.components;
-    report->flipped_faces = winding.flipped;
-    flaw_one_sided(source, winding.clash, report);
+    const Orientation orientation = orient_faces(source, &edges);
+    report->components = orientation.components;
+    report->flipped_faces = orientation.flipped;
+    validate_one_sided(source, orientation.clash, report);
 
     if (!report->unusable.text[0])
         report->genus = find_genus(source, &edges, report);

@@ -1,9 +1,9 @@
-/// The mesh doctor: what a mesh is, what was mended, and whether a balloon can be made of it.
+/// The mesh doctor: describes a mesh, mends what it can, and decides whether a balloon can be made.
 ///
-/// Mended and said: seams (rims at exactly one place are sewn), flipped faces (wound with their
-/// neighbours, and outward as a whole if closed), unused points (left out).
-/// Unusable: no faces, degenerate faces (two corners in one place, or no area), duplicate faces,
-/// edges of more than two faces, sheets that touch in a point alone, a surface with one side.
+/// Mended and reported: seams (rims at the same positions are sewn), flipped faces (oriented like
+/// their neighbours, and outward if the skin is closed), unused points (left out).
+/// Unusable: no faces, degenerate faces (two corners at one position, or no area), duplicate faces,
+/// edges of more than two faces, sheets that touch only in a point, a surface with one side.
 ///
 /// Sentences count faces and vertices from 1 in the order of the file, as OBJ does.
 #ifndef BALLOON_MESH_DOCTOR_H
@@ -14,19 +14,19 @@
 #include "mesh/mesh.h"
 #include "mesh/source.h"
 
-enum { VALENCE_MOST = 16 }; ///< the histogram's last bin counts this valence and all above
+enum { VALENCE_MAX = 16 }; ///< the histogram's last bin counts this valence and all above
 
 typedef struct MeshReport {
     int points; ///< points of the mesh, welded and used
     int quads;
     int triangles;
-    int valence[VALENCE_MOST + 1]; ///< how many points have this many edges
-    int components;                ///< parts that hang together by edges
+    int valence[VALENCE_MAX + 1]; ///< how many points have this many edges
+    int components;               ///< connected by edges
     int genus;     ///< holes through all components together, rims counted as closed; 0 if unusable
     int rims;      ///< closed loops of edges with one face
     int rim_edges; ///< edges with one face
     int nonmanifold_edges;  ///< edges of three faces or more
-    int nonmanifold_points; ///< points where two sheets touch in that point alone
+    int nonmanifold_points; ///< points where two sheets touch without a common edge
     int duplicate_faces;    ///< faces with the corners of an earlier one
     int degenerate_faces;
     int flipped_faces; ///< mended

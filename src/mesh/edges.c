@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
-#include "mesh/group.h"
+#include "mesh/counting_sort.h"
 
 /// The lower end of each side, NONE for a side that a triangle does not have.
 static void lower_ends(const int (*face)[4], int face_count, int* low) {
@@ -20,8 +20,8 @@ static void lower_ends(const int (*face)[4], int face_count, int* low) {
 
 /// first[s]: the first of all sides that join the same two points as side s.
 ///
-/// Such sides stand in the list of their lower end. `seen` remembers for each higher end the first
-/// side that reached it; it is of this list only if its lower end is this one.
+/// All these sides have the same lower end. For each lower end in turn, seen[high] is the first side to
+/// the higher end `high`; an entry left by an earlier lower end is told by that end.
 static void first_sides(const int (*face)[4], int face_count, int point_count, int* first) {
     const int sides = 4 * face_count;
     int* low = new_array(int, sides);
@@ -30,7 +30,7 @@ static void first_sides(const int (*face)[4], int face_count, int point_count, i
     int* seen = new_array(int, point_count);
 
     lower_ends(face, face_count, low);
-    group_by_key(low, sides, point_count, from, item);
+    counting_sort(low, sides, point_count, from, item);
     for (int i = 0; i < point_count; i++)
         seen[i] = NONE;
 

@@ -1,7 +1,7 @@
-/// The edges of any set of faces, sound or not: what the doctor examines and a mesh is made from.
+/// The edges of any set of faces, manifold or not: for the doctor and for mesh_make.
 ///
-/// A face's side k runs from its corner k to the next one; sides are numbered 4 * face + k.
-/// All sides between the same two points are one edge, whichever way they run:
+/// A face's side k (a half-edge) runs from its corner k to the next one; its number is 4 * face + k.
+/// All sides between the same two points are one edge, in either direction:
 ///
 ///         d --- c --- f
 ///         |  0  |  1  |      side 1 of face 0 (b to c) and side 3 of face 1 (c to b)
@@ -13,7 +13,7 @@
 
 typedef struct Edges {
     int count;
-    int (*end)[2];  ///< [count] the two points, as the first side that uses the edge runs
+    int (*end)[2];  ///< [count] the two points, in the direction of its first side
     int (*side)[2]; ///< [count] the first two sides, NONE for no second
     int* sides;     ///< [count] how many sides there are: one at a rim, two inside
     int* of_side;   ///< [4 * face_count] the edge of each side, NONE for a triangle's fourth

@@ -5,16 +5,16 @@
 
 #include "base/memory.h"
 #include "mesh/edges.h"
-#include "mesh/group.h"
-#include "mesh/order.h"
+#include "mesh/counting_sort.h"
+#include "mesh/reorder.h"
 
 /// Item 2 e + k is end k of edge e; the neighbour that it stands for is the other end.
 static int neighbour_of(const Edges* edges, int item) {
     return edges->end[item / 2][1 - item % 2];
 }
 
-/// The neighbour that follows in the turn around a point: in the face to the left of the edge to
-/// this one, the corner before the point. NONE on a rim.
+/// The neighbour that follows counter-clockwise around a point: in the face to the left of the edge
+/// to this one, the corner before the point. NONE on a rim.
 static int next_around(const Edges* edges, const int (*face)[4], int item) {
     const int point = edges->end[item / 2][item % 2];
     for (int k = 0; k < 2; k++) {
@@ -27,55 +27,55 @@ static int next_around(const Edges* edges, const int (*face)[4], int item) {
     return NONE;
 }
 
-/// Bring a point's neighbours into the order in which they lie around it.
-static void turn(const Edges* edges, const int (*face)[4], int count, int* item) {
+/// Sort a point's neighbours counter-clockwise around it.
+static void sort_around(const Edges* edges, const int (*face)[4], int count, int* item) {
     for (int i = 1; i < count; i++) {
         const int next = next_around(edges, face, item[i - 1]);
         for (int k = i; k < count; k++)
             if (neighbour_of(edges, item[k]) == next) {
-                const int here = item[i];
+                const int swap = item[i];
                 item[i] = item[k];
-                item[k] = here;
+                item[k] = swap;
             }
     }
 }
 
-/// loaded and inside: the points in the order in which a walk along the edges meets them.
+/// loaded and inside: the points reordered (mesh/reorder.h), and the inverse.
 static void number_points(Mesh* mesh, const Edges* edges, const int (*face)[4]) {
     const int points = mesh->point_count;
     const int ends = 2 * edges->count;
     int* from = new_array(int, points + 1);
     int* neighbour = new_array(int, ends);
 
-    group_by_key(edges->end[0], ends, points, from, neighbour);
+    counting_sort(edges->end[0], ends, points, from, neighbour);
     for (int p = 0; p < points; p++)
-        turn(edges, face, from[p + 1] - from[p], &neighbour[from[p]]);
+        sort_around(edges, face, from[p + 1] - from[p], &neighbour[from[p]]);
     for (int i = 0; i < ends; i++)
         neighbour[i] = neighbour_of(edges, neighbour[i]);
 
     mesh->loaded = new_array(int, points);
     mesh->inside = new_array(int, points);
-    order_points(points, from, neighbour, mesh->loaded);
+    reorder_points(points, from, neighbour, mesh->loaded);
     for (int i = 0; i < points; i++)
         mesh->inside[mesh->loaded[i]] = i;
     free(from);
     free(neighbour);
 }
 
-static void take_points(Mesh* mesh, const double4* point) {
+static void copy_points(Mesh* mesh, const double4* point) {
     mesh->point = new_array(double4, mesh->point_count);
     for (int i = 0; i < mesh->point_count; i++)
         mesh->point[i] = point[mesh->loaded[i]];
 }
 
-static void take_faces(Mesh* mesh, const int (*face)[4]) {
+static void copy_faces(Mesh* mesh, const int (*face)[4]) {
     mesh->face = new_array(int[4], mesh->face_count);
     for (int f = 0; f < mesh->face_count; f++)
         for (int k = 0; k < 4; k++)
             mesh->face[f][k] = face[f][k] == NONE ? NONE : mesh->inside[face[f][k]];
 }
 
-static void take_edges(Mesh* mesh, const Edges* edges) {
+static void copy_edges(Mesh* mesh, const Edges* edges) {
     mesh->edge_count = edges->count;
     mesh->edge = new_array(int[2], edges->count);
     mesh->edge_face = new_array(int[2], edges->count);
@@ -96,15 +96,15 @@ static void find_adjacency(Mesh* mesh) {
     const int corners = 4 * mesh->face_count;
     mesh->point_face_from = new_array(int, mesh->point_count + 1);
     mesh->point_face = new_array(int, corners);
-    group_by_key(mesh->face[0], corners, mesh->point_count, mesh->point_face_from,
-                 mesh->point_face);
+    counting_sort(mesh->face[0], corners, mesh->point_count, mesh->point_face_from,
+                  mesh->point_face);
     for (int i = 0; i < mesh->point_face_from[mesh->point_count]; i++)
         mesh->point_face[i] /= 4;
 
     const int ends = 2 * mesh->edge_count;
     mesh->point_edge_from = new_array(int, mesh->point_count + 1);
     mesh->point_edge = new_array(int, ends);
-    group_by_key(mesh->edge[0], ends, mesh->point_count, mesh->point_edge_from, mesh->point_edge);
+    counting_sort(mesh->edge[0], ends, mesh->point_count, mesh->point_edge_from, mesh->point_edge);
     for (int i = 0; i < ends; i++)
         mesh->point_edge[i] /= 2;
 }
@@ -120,11 +120,11 @@ static void split_faces(Mesh* mesh) {
     for (int f = 0; f < mesh->face_count; f++) {
         const int* c = mesh->face[f];
         const bool quad = c[3] != NONE;
-        const bool other =
+        const bool along_bd =
             quad && distance_squared(mesh, c[1], c[3]) < distance_squared(mesh, c[0], c[2]);
         const int split[2][3] = {
-            {c[0], c[1], other ? c[3] : c[2]},
-            {other ? c[1] : c[0], c[2], c[3]},
+            {c[0], c[1], along_bd ? c[3] : c[2]},
+            {along_bd ? c[1] : c[0], c[2], c[3]},
         };
         for (int t = 0; t < 1 + quad; t++)
             memcpy(mesh->triangle[mesh->triangle_count++], split[t], sizeof split[t]);
@@ -138,9 +138,9 @@ void mesh_make(Mesh* mesh, const double4* point, int point_count, const int (*fa
     edges_find(&edges, face, face_count, point_count);
 
     number_points(mesh, &edges, face);
-    take_points(mesh, point);
-    take_faces(mesh, face);
-    take_edges(mesh, &edges);
+    copy_points(mesh, point);
+    copy_faces(mesh, face);
+    copy_edges(mesh, &edges);
     find_adjacency(mesh);
     split_faces(mesh);
     edges_free(&edges);

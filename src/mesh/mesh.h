@@ -1,11 +1,11 @@
 /// The skin's topology and rest shape: points joined by quads, and triangles among them or alone.
 /// Never changed once made; a cut makes a new one.
 ///
-/// Points are numbered for locality (mesh/order.h). Everything seen from outside (particle numbers
-/// in scenes and logs, OBJ, hash) uses the loaded order, which is the order of first use by a face:
+/// Points are numbered for locality (mesh/reorder.h). Everything that leaves the program (particle
+/// numbers in scenes and logs, OBJ, hash) uses the loaded order, the order of first use by a face:
 ///
-///     loaded[i]   what the outside calls point i
-///     inside[k]   which point the outside's number k is
+///     loaded[i]   loaded number of point i
+///     inside[k]   the point whose loaded number is k
 ///
 /// A face's corners run counter-clockwise seen from outside; a triangle's fourth corner is -1.
 /// An open mesh has edges with one face, its rim.
@@ -34,7 +34,7 @@ typedef struct Mesh {
     int* point_face;      ///< faces around each point
     int* point_edge_from; ///< [point_count + 1] where point i's edges begin in point_edge
     int* point_edge;      ///< edges at each point; their number is the valence
-    int* loaded;          ///< [point_count] outside number of point i
+    int* loaded;          ///< [point_count] loaded number of point i
     int* inside;          ///< [point_count] the inverse of loaded
     bool closed;          ///< no rim
 } Mesh;

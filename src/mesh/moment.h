@@ -1,10 +1,10 @@
-/// The first moment of the enclosed volume in height, which buoyancy needs.
+/// First moment of the enclosed volume about a horizontal plane, for buoyancy.
 ///
 ///     M = integral of y dV = sum over triangles of N_y Q / 24
 ///     N = (b - a) x (c - a),  Q = ya^2 + yb^2 + yc^2 + ya yb + yb yc + yc ya
 ///
-/// by the divergence theorem, heights counted from `level`. A quad's is the mean of its two
-/// triangulations, as its volume is (mesh/measure.h). Closed meshes only.
+/// by the divergence theorem, with heights y above `level`. A quad contributes the mean of its two
+/// triangulations, as in its volume (mesh/measure.h). Closed meshes only.
 #ifndef BALLOON_MESH_MOMENT_H
 #define BALLOON_MESH_MOMENT_H
 

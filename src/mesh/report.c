@@ -3,9 +3,9 @@
 /// "valence: 3:8 4:2900 16+:1": how many points have how many edges.
 static void print_valence(const MeshReport* report, FILE* out) {
     fprintf(out, "valence:");
-    for (int v = 0; v <= VALENCE_MOST; v++)
+    for (int v = 0; v <= VALENCE_MAX; v++)
         if (report->valence[v] > 0)
-            fprintf(out, " %d%s:%d", v, v == VALENCE_MOST ? "+" : "", report->valence[v]);
+            fprintf(out, " %d%s:%d", v, v == VALENCE_MAX ? "+" : "", report->valence[v]);
     fprintf(out, "\n");
 }
 

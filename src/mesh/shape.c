@@ -37,7 +37,7 @@ static bool read_numbers(const Shape* shape, const char* text, int number[2]) {
         const bool digit = *text >= '0' && *text <= '9';
         if (!digit || *stop != (last ? '\0' : 'x'))
             return false;
-        if (value < shape->least[i] || value > shape->most[i])
+        if (value < shape->min[i] || value > shape->max[i])
             return false;
         number[i] = (int)value;
         text = stop + 1;
@@ -48,17 +48,17 @@ static bool read_numbers(const Shape* shape, const char* text, int number[2]) {
 bool shape_make(const char* name, MeshSource* source, Fault* fault) {
     const Shape* shape = shape_find(name);
     ASSERT(shape, "shape_find says whether a name is a shape");
-    int number[2] = {shape->given[0], shape->given[1]};
+    int number[2] = {shape->usual[0], shape->usual[1]};
     const char* colon = strchr(name, ':');
     if (colon && !read_numbers(shape, colon + 1, number)) {
         if (shape->numbers == 1)
             return fault_set(fault, name, "write %s:N, with N from %d to %d, as in %s:%d",
-                             shape->name, shape->least[0], shape->most[0], shape->name,
-                             shape->given[0]);
+                             shape->name, shape->min[0], shape->max[0], shape->name,
+                             shape->usual[0]);
         return fault_set(fault, name,
                          "write %s:AxB, with A from %d to %d and B from %d to %d, as in %s:%dx%d",
-                         shape->name, shape->least[0], shape->most[0], shape->least[1],
-                         shape->most[1], shape->name, shape->given[0], shape->given[1]);
+                         shape->name, shape->min[0], shape->max[0], shape->min[1], shape->max[1],
+                         shape->name, shape->usual[0], shape->usual[1]);
     }
     shape->make(source, number[0], number[1]);
     source->name = name;

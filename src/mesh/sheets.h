@@ -1,6 +1,6 @@
-/// Shapes that are flat: open sheets, and two of them sewn together at their rims.
+/// Flat shapes: open sheets, and pairs of sheets sewn together at their rims.
 ///
-/// Sewn sheets bulge by a little, so that they enclose a volume and inflation knows its side:
+/// Sewn sheets bulge slightly, so that they enclose a volume and have an outside:
 ///
 ///     y = +-BULGE (1 - x^2)(1 - z^2)    pillow
 ///     y = +-BULGE (1 - r^2)             discs

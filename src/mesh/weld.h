@@ -1,15 +1,15 @@
-/// Seams: rims that lie on each other exactly, because the file gave each side its own points.
+/// Welds seams: rims at exactly the same positions, because the file has two points for each.
 ///
-/// Two rim edges between the same two places are sewn together, if they are the only edges there;
-/// points become one only by being the ends of sewn edges. So sheets that touch in a point or along
-/// a closed edge stay apart, and no edge comes to have three faces.
+/// Two rim edges between the same two positions are sewn together, if they are the only edges there;
+/// points are merged only as the ends of sewn edges. So sheets that touch in a point or along an edge
+/// inside them stay apart, and no edge gets a third face.
 #ifndef BALLOON_MESH_WELD_H
 #define BALLOON_MESH_WELD_H
 
 #include "mesh/source.h"
 
-/// Give the corners that are sewn together the number of the first of them, and return how many
-/// points are left without a face by it.
+/// Replace the corners that are sewn together by the first of them. Returns the number of points that
+/// no face uses any more.
 int weld_seams(MeshSource* source);
 
 #endif

@@ -2,7 +2,7 @@
 #include "meshes.h"
 
 #include "mesh/facet.h"
-#include "mesh/order.h"
+#include "mesh/reorder.h"
 #include "mesh/shape.h"
 
 /// Run a law over the whole table of shapes.
@@ -169,7 +169,7 @@ static void order_takes_every_component(void** state) {
     const int neighbour[] = {2, 5, 0, 4, 2, 1};
     const int want[] = {3, 0, 2, 4, 1, 5};
     int loaded[6];
-    order_points(6, from, neighbour, loaded);
+    reorder_points(6, from, neighbour, loaded);
     for (int i = 0; i < 6; i++)
         assert_int_equal(loaded[i], want[i]);
 }

@@ -60,7 +60,7 @@ static void shapes_need_no_mending(void** state) {
     for (int i = 0; i < shape_count; i++) {
         const Shape* shape = &shape_table[i];
         for (int least = 0; least < 2; least++) {
-            const int* number = least ? shape->least : shape->given;
+            const int* number = least ? shape->min : shape->usual;
             char name[64];
             if (shape->numbers == 1)
                 snprintf(name, sizeof name, "%s:%d", shape->name, number[0]);

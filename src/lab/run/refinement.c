@@ -26,7 +26,7 @@ static bool name_at(const char* model, int level, char name[NAME_MOST]) {
         return false;
     sscanf(colon, ":%dx%d", &n[0], &n[1]);
     for (int k = 0; k < shape->numbers; k++)
-        if (!moved(shape, level, &n[k], shape->least[k], shape->most[k]))
+        if (!moved(shape, level, &n[k], shape->min[k], shape->max[k]))
             return false;
     snprintf(name, NAME_MOST, shape->numbers == 1 ? "%s:%d" : "%s:%dx%d", shape->name, n[0], n[1]);
     return true;

@@ -1,26 +1,26 @@
-#include "mesh/flaws.h"
+#include "mesh/validate.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "mesh/facet.h"
-#include "mesh/group.h"
-#include "mesh/sets.h"
+#include "mesh/counting_sort.h"
+#include "mesh/disjoint_sets.h"
 
-/// A face whose area is below this share of its longest diagonal's square has none: its corners lie
-/// on a line to within the rounding of the cross product. [1]
-static const double AREA_LEAST = 1e-12;
+/// A face has no area if it is below this share of the longest diagonal squared: its corners lie on
+/// a line to within the rounding of the cross product. [1]
+static const double AREA_MIN = 1e-12;
 
-enum { PLACE_BYTES = 512 };
+enum { LOCATION_BYTES = 512 };
 
 /// "file:line" of a face or a point, or the file alone where lines are not known.
-static const char* place(const MeshSource* source, const long* lines, int i,
-                         char text[PLACE_BYTES]) {
+static const char* location(const MeshSource* source, const long* lines, int i,
+                            char text[LOCATION_BYTES]) {
     if (lines)
-        snprintf(text, PLACE_BYTES, "%s:%ld", source->name, lines[i]);
+        snprintf(text, LOCATION_BYTES, "%s:%ld", source->name, lines[i]);
     else
-        snprintf(text, PLACE_BYTES, "%s", source->name);
+        snprintf(text, LOCATION_BYTES, "%s", source->name);
     return text;
 }
 
@@ -36,32 +36,32 @@ static bool corners_meet(const Facet* facet) {
 }
 
 static bool has_no_area(const Facet* facet) {
-    double most = 0;
+    double longest = 0;
     for (int i = 0; i < facet->corners; i++) {
         for (int j = 0; j < i; j++) {
             const double4 d = facet->corner[i] - facet->corner[j];
-            most = fmax(most, ddot(d, d));
+            longest = fmax(longest, ddot(d, d));
         }
     }
-    return dlength(facet_area(facet)) <= AREA_LEAST * most;
+    return dlength(facet_area(facet)) <= AREA_MIN * longest;
 }
 
-void flaw_degenerate(const MeshSource* source, MeshReport* report) {
-    char text[PLACE_BYTES];
+void validate_degenerate(const MeshSource* source, MeshReport* report) {
+    char text[LOCATION_BYTES];
     for (int f = 0; f < source->face_count; f++) {
         const Facet facet = facet_of(source->point, source->face[f]);
         const bool meet = corners_meet(&facet);
         if (!meet && !has_no_area(&facet))
             continue;
         report->degenerate_faces++;
-        fault_set(&report->unusable, place(source, source->face_line, f, text),
+        fault_set(&report->unusable, location(source, source->face_line, f, text),
                   meet ? "face %d has two corners in one place; merge its vertices or delete it"
                        : "face %d has no area: its corners lie on a line; delete it",
                   f + 1);
     }
 }
 
-/// The face's corners in ascending order, each one up, so that a triangle's NONE is zero.
+/// The face's corners plus 1, in ascending order: a triangle's NONE becomes zero and comes first.
 static void sort_corners(const int face[4], int sorted[4]) {
     for (int k = 0; k < 4; k++) {
         int at = k;
@@ -84,7 +84,7 @@ static int* sort_faces(const int (*corner)[4], int face_count, int point_count) 
     for (int k = 3; k >= 0; k--) {
         for (int i = 0; i < face_count; i++)
             key[i] = corner[order[i]][k];
-        group_by_key(key, face_count, point_count + 1, from, item);
+        counting_sort(key, face_count, point_count + 1, from, item);
         for (int i = 0; i < face_count; i++)
             next[i] = order[item[i]];
         int* swap = order;
@@ -98,8 +98,8 @@ static int* sort_faces(const int (*corner)[4], int face_count, int point_count) 
     return order;
 }
 
-void flaw_duplicate(const MeshSource* source, MeshReport* report) {
-    char text[PLACE_BYTES];
+void validate_duplicate(const MeshSource* source, MeshReport* report) {
+    char text[LOCATION_BYTES];
     int(*corner)[4] = new_array(int[4], source->face_count);
     for (int f = 0; f < source->face_count; f++)
         sort_corners(source->face[f], corner[f]);
@@ -112,7 +112,7 @@ void flaw_duplicate(const MeshSource* source, MeshReport* report) {
             continue;
         }
         report->duplicate_faces++;
-        fault_set(&report->unusable, place(source, source->face_line, order[i], text),
+        fault_set(&report->unusable, location(source, source->face_line, order[i], text),
                   "face %d has the same corners as face %d; delete one", order[i] + 1,
                   order[first] + 1);
     }
@@ -120,24 +120,25 @@ void flaw_duplicate(const MeshSource* source, MeshReport* report) {
     free(order);
 }
 
-void flaw_edges(const MeshSource* source, const Edges* edges, MeshReport* report) {
-    char text[PLACE_BYTES];
+void validate_edges(const MeshSource* source, const Edges* edges, MeshReport* report) {
+    char text[LOCATION_BYTES];
     for (int e = 0; e < edges->count; e++) {
         if (edges->sides[e] <= 2)
             continue;
         report->nonmanifold_edges++;
         fault_set(
-            &report->unusable, place(source, source->face_line, edges->side[e][0] / 4, text),
+            &report->unusable, location(source, source->face_line, edges->side[e][0] / 4, text),
             "the edge from vertex %d to vertex %d belongs to %d faces; a skin has at most two "
             "there: delete the inner ones",
             edges->end[e][0] + 1, edges->end[e][1] + 1, edges->sides[e]);
     }
 }
 
-/// Join the corners that two faces have at an edge's ends, for every edge of two faces.
+/// The faces around a point in sets: of each edge of two faces, the corners at either end are joined.
+/// Corner c of the set that contains it: 4 * face + c.
 static int* join_corners(const MeshSource* source, const Edges* edges) {
     const int(*face)[4] = (const int(*)[4])source->face;
-    int* fan = sets_make(4 * source->face_count);
+    int* fan = disjoint_make(4 * source->face_count);
     for (int e = 0; e < edges->count; e++) {
         if (edges->sides[e] != 2)
             continue;
@@ -146,25 +147,25 @@ static int* join_corners(const MeshSource* source, const Edges* edges) {
         const int s_next = s / 4 * 4 + (s % 4 + 1) % face_corners(face[s / 4]);
         const int t_next = t / 4 * 4 + (t % 4 + 1) % face_corners(face[t / 4]);
         const bool same_way = side_start(face, s) == side_start(face, t);
-        sets_join(fan, s, same_way ? t : t_next);
-        sets_join(fan, s_next, same_way ? t_next : t);
+        disjoint_join(fan, s, same_way ? t : t_next);
+        disjoint_join(fan, s_next, same_way ? t_next : t);
     }
     return fan;
 }
 
-void flaw_points(const MeshSource* source, const Edges* edges, MeshReport* report) {
-    char text[PLACE_BYTES];
+void validate_points(const MeshSource* source, const Edges* edges, MeshReport* report) {
+    char text[LOCATION_BYTES];
     int* fan = join_corners(source, edges);
     int* fans = new_array(int, source->point_count);
     for (int c = 0; c < 4 * source->face_count; c++) {
         const int point = source->face[c / 4][c % 4];
-        if (point == NONE || sets_root(fan, c) != c)
+        if (point == NONE || disjoint_root(fan, c) != c)
             continue;
         fans[point]++;
         if (fans[point] != 2)
             continue;
         report->nonmanifold_points++;
-        fault_set(&report->unusable, place(source, source->point_line, point, text),
+        fault_set(&report->unusable, location(source, source->point_line, point, text),
                   "two sheets touch in vertex %d alone; give each its own vertex, or join them by "
                   "an edge",
                   point + 1);
@@ -173,11 +174,11 @@ void flaw_points(const MeshSource* source, const Edges* edges, MeshReport* repor
     free(fans);
 }
 
-void flaw_one_sided(const MeshSource* source, const int clash[2], MeshReport* report) {
-    char text[PLACE_BYTES];
+void validate_one_sided(const MeshSource* source, const int clash[2], MeshReport* report) {
+    char text[LOCATION_BYTES];
     if (clash[0] == NONE)
         return;
-    fault_set(&report->unusable, place(source, source->face_line, clash[0], text),
+    fault_set(&report->unusable, location(source, source->face_line, clash[0], text),
               "the surface has only one side, as a Moebius strip has: faces %d and %d cannot both "
               "face outward; cut it there",
               clash[0] + 1, clash[1] + 1);

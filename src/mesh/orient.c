@@ -1,24 +1,24 @@
-#include "mesh/wind.h"
+#include "mesh/orient.h"
 
 #include <stdlib.h>
 
 #include "base/memory.h"
 #include "mesh/facet.h"
 
-enum { UNKNOWN = -1, KEPT = 0, TURNED = 1 };
+enum { UNKNOWN = -1, KEPT = 0, FLIPPED = 1 };
 
-/// Below this share of area^(3/2) a volume is rounding, as that of two flat sheets is. [1]
-static const double VOLUME_LEAST = 1e-12;
+/// Below this share of area^(3/2) a volume is rounding, for instance that of two flat sheets. [1]
+static const double VOLUME_MIN = 1e-12;
 
 typedef struct Flood {
     const MeshSource* source;
     const Edges* edges;
-    signed char* way; ///< [face_count] UNKNOWN, KEPT or TURNED
-    int* queue;       ///< [face_count] the faces of component after component
-    Winding winding;
+    signed char* way; ///< [face_count] UNKNOWN, KEPT or FLIPPED
+    int* queue;       ///< [face_count] the faces of in order of components
+    Orientation orientation;
 } Flood;
 
-/// The side that shares side s's edge, NONE at a rim or where more than two faces meet.
+/// The other side of side s's edge; NONE at a rim and at edges of more than two faces.
 static int other_side(const Edges* edges, int s) {
     const int e = edges->of_side[s];
     if (edges->sides[e] != 2)
@@ -26,7 +26,7 @@ static int other_side(const Edges* edges, int s) {
     return edges->side[e][0] == s ? edges->side[e][1] : edges->side[e][0];
 }
 
-/// Visit all faces that hang together with queue[from]; returns where they end in the queue.
+/// Queue all faces of the component of queue[from]; returns their end in the queue.
 static int flood(Flood* flood, int from) {
     const int(*face)[4] = (const int(*)[4])flood->source->face;
     int end = from + 1;
@@ -36,30 +36,30 @@ static int flood(Flood* flood, int from) {
             const int t = other_side(flood->edges, s);
             if (t == NONE)
                 continue;
-            // neighbours that are wound alike run along their edge in opposite directions
+            // neighbours that are oriented alike run along their edge in opposite directions
             const bool alike = side_start(face, s) == side_end(face, t);
             const signed char way = alike ? flood->way[f] : (signed char)(1 - flood->way[f]);
             const int g = t / 4;
             if (flood->way[g] == UNKNOWN) {
                 flood->way[g] = way;
                 flood->queue[end++] = g;
-            } else if (flood->way[g] != way && flood->winding.clash[0] == NONE) {
-                flood->winding.clash[0] = f;
-                flood->winding.clash[1] = g;
+            } else if (flood->way[g] != way && flood->orientation.clash[0] == NONE) {
+                flood->orientation.clash[0] = f;
+                flood->orientation.clash[1] = g;
             }
         }
     }
     return end;
 }
 
-static int count_turned(const Flood* flood, int from, int end) {
+static int count_flipped(const Flood* flood, int from, int end) {
     int count = 0;
     for (int i = from; i < end; i++)
-        count += flood->way[flood->queue[i]] == TURNED;
+        count += flood->way[flood->queue[i]] == FLIPPED;
     return count;
 }
 
-static void turn_all(Flood* flood, int from, int end) {
+static void flip_all(Flood* flood, int from, int end) {
     for (int i = from; i < end; i++)
         flood->way[flood->queue[i]] = (signed char)(1 - flood->way[flood->queue[i]]);
 }
@@ -84,28 +84,28 @@ static bool is_inside_out(const Flood* flood, int from, int end) {
         const int f = flood->queue[i];
         const Facet facet = facet_of(source->point, source->face[f]);
         const double part = facet_volume(&facet, origin);
-        volume += flood->way[f] == TURNED ? -part : part;
+        volume += flood->way[f] == FLIPPED ? -part : part;
         area += dlength(facet_area(&facet));
     }
-    return volume < -VOLUME_LEAST * area * sqrt(area);
+    return volume < -VOLUME_MIN * area * sqrt(area);
 }
 
-/// Turn the face over; its first corner stays the first.
-static void turn(int face[4]) {
+/// Reverse the corners; the first stays the first.
+static void flip_face(int face[4]) {
     const int last = face_corners(face) - 1;
     const int swap = face[1];
     face[1] = face[last];
     face[last] = swap;
 }
 
-Winding wind_faces(MeshSource* source, const Edges* edges) {
+Orientation orient_faces(MeshSource* source, const Edges* edges) {
     const int count = source->face_count;
     Flood state = {
         .source = source,
         .edges = edges,
         .way = new_array(signed char, count),
         .queue = new_array(int, count),
-        .winding = {.clash = {NONE, NONE}},
+        .orientation = {.clash = {NONE, NONE}},
     };
     for (int f = 0; f < count; f++)
         state.way[f] = UNKNOWN;
@@ -117,22 +117,22 @@ Winding wind_faces(MeshSource* source, const Edges* edges) {
         state.way[f] = KEPT;
         state.queue[from] = f;
         const int end = flood(&state, from);
-        state.winding.components++;
+        state.orientation.components++;
 
-        // fewest flips first; outward goes before it
-        if (2 * count_turned(&state, from, end) > end - from)
-            turn_all(&state, from, end);
+        // as few flips as possible, unless the skin is closed: then outward
+        if (2 * count_flipped(&state, from, end) > end - from)
+            flip_all(&state, from, end);
         if (is_closed(&state, from, end) && is_inside_out(&state, from, end))
-            turn_all(&state, from, end);
+            flip_all(&state, from, end);
         from = end;
     }
 
     for (int f = 0; f < count; f++) {
-        if (state.way[f] == TURNED)
-            turn(source->face[f]);
-        state.winding.flipped += state.way[f] == TURNED;
+        if (state.way[f] == FLIPPED)
+            flip_face(source->face[f]);
+        state.orientation.flipped += state.way[f] == FLIPPED;
     }
     free(state.way);
     free(state.queue);
-    return state.winding;
+    return state.orientation;
 }
