@@ -64,11 +64,6 @@ struct Bullet {
     std::vector<std::unique_ptr<Wall>> wall;
     btDiscreteDynamicsWorld world;
 
-    /// For questions about skins, outside the world: a ball of the asked reach.
-    btSphereShape probe_shape;
-    btCollisionObject probe;
-    std::vector<int> found;
-
     Bullet();
     ~Bullet();
 };

@@ -4,17 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace {
 
 constexpr int PATCH = 64; // triangles
 
-// Bullet's test of a triangle rounds; a reach larger by this share, and by a few roundings of the
-// place itself, misses none.
+// A reach larger by this share, and by a few roundings of the coordinates, misses no triangle.
 constexpr double SLACK = 1e-3;
-
-// How far Bullet's normal of a triangle may be off, in roundings of edge^2 over twice the area.
-constexpr real NORMAL_ROUNDINGS = 8;
 
 struct Box {
     real4 low;
@@ -65,12 +62,12 @@ std::uint64_t spread(std::uint64_t a) {
     return code;
 }
 
-/// A place's number along Morton's curve through a box, on which near numbers are near places.
-std::uint64_t morton(real4 place, const Box& box) {
+/// A point's number along Morton's curve through a box: near numbers are near points.
+std::uint64_t morton(real4 point, const Box& box) {
     std::uint64_t code = 0;
     for (int k = 0; k < 3; k++) {
         const double size = (double)box.high[k] - (double)box.low[k];
-        const double share = size > 0 ? ((double)place[k] - (double)box.low[k]) / size : 0;
+        const double share = size > 0 ? ((double)point[k] - (double)box.low[k]) / size : 0;
         code |= spread((std::uint64_t)(std::clamp(share, 0.0, 1.0) * ((1 << 21) - 1))) << k;
     }
     return code;
@@ -78,39 +75,14 @@ std::uint64_t morton(real4 place, const Box& box) {
 
 } // namespace
 
-/// The skin as Bullet sees it: it is asked for the triangles in a box.
-class Patches : public btConcaveShape {
-  public:
-    Patches(const int (*triangle)[3], int triangle_count, const real4* x, int point_count);
+/// A skin in patches of PATCH triangles that lie together, under a tree of Bullet's boxes.
+struct BulletSkin {
+    BulletSkin(const int (*triangle)[3], int triangle_count, const real4* x, int point_count);
 
     void refit(real margin);
-    const Box& box() const {
-        return whole;
-    }
+    const std::vector<int>& near(real4 center, real reach);
 
-    /// The question that is being asked, and who gets the triangles that Bullet cannot measure.
-    real4 center = {0, 0, 0, 0};
-    real reach = 0;
-    std::vector<int>* unmeasured = nullptr;
-
-    void processAllTriangles(btTriangleCallback* callback, const btVector3& low,
-                             const btVector3& high) const override;
-
-    void getAabb(const btTransform& /*place*/, btVector3& low, btVector3& high) const override {
-        low.setValue(whole.low[0], whole.low[1], whole.low[2]);
-        high.setValue(whole.high[0], whole.high[1], whole.high[2]);
-    }
-    void setLocalScaling(const btVector3& /*scaling*/) override {
-    }
-    const btVector3& getLocalScaling() const override {
-        return scaling;
-    }
-    void calculateLocalInertia(btScalar /*mass*/, btVector3& inertia) const override {
-        inertia.setZero();
-    }
-    const char* getName() const override {
-        return "Patches";
-    }
+    Box whole = NOTHING;
 
   private:
     struct Corners {
@@ -123,45 +95,48 @@ class Patches : public btConcaveShape {
     std::vector<int> particle;      ///< of each patch, each once
     std::vector<int> particle_from; ///< [patches + 1]
     std::vector<Box> patch_box;
-    Box whole = NOTHING;
-    btVector3 scaling{1, 1, 1};
+    btDbvt tree;            ///< over the patches; a leaf's data is its patch's number
+    std::vector<int> hit;   ///< patches that the last search looked into
+    std::vector<int> found; ///< what it found
 
-    void sort_by_place(const int (*triangle)[3], int triangle_count, int point_count);
-    bool measurable(const real4 corner[3]) const;
-    void process(const Corners& each, btTriangleCallback* callback) const;
+    void sort_along_curve(const int (*triangle)[3], int triangle_count, int point_count);
+    void collect_particles();
+    void refit_node(btDbvtNode* node);
+    void search_patch(int patch, real4 center, real reach);
 };
 
-struct BulletSkin {
-    Patches patches;
-    btCollisionObject object;
+namespace {
 
-    BulletSkin(const int (*triangle)[3], int triangle_count, const real4* x, int point_count)
-        : patches(triangle, triangle_count, x, point_count) {
-        object.setCollisionShape(&patches);
-    }
-};
-
-Patches::Patches(const int (*triangle)[3], int triangle_count, const real4* x_, int point_count)
-    : x(x_) {
-    // this version's own type for custom shapes is taken by another shape
-    m_shapeType = FAST_CONCAVE_MESH_PROXYTYPE;
-    setMargin(0);
-
-    sort_by_place(triangle, triangle_count, point_count);
-    particle_from.push_back(0);
-    for (size_t from = 0; from < corners.size(); from += PATCH) {
-        const size_t start = particle.size(), end = std::min(from + PATCH, corners.size());
-        for (size_t i = from; i < end; i++)
-            particle.insert(particle.end(), corners[i].point, corners[i].point + 3);
-        std::sort(particle.begin() + (long)start, particle.end());
-        particle.erase(std::unique(particle.begin() + (long)start, particle.end()), particle.end());
-        particle_from.push_back((int)particle.size());
-    }
-    patch_box.resize(particle_from.size() - 1);
-    refit(0);
+btDbvtVolume volume_of(const Box& box) {
+    return btDbvtVolume::FromMM(btVector3(box.low[0], box.low[1], box.low[2]),
+                                btVector3(box.high[0], box.high[1], box.high[2]));
 }
 
-void Patches::sort_by_place(const int (*triangle)[3], int triangle_count, int point_count) {
+/// The patches whose boxes Bullet's tree finds.
+struct Hits : btDbvt::ICollide {
+    std::vector<int>* patch;
+
+    void Process(const btDbvtNode* leaf) {
+        patch->push_back(leaf->dataAsInt);
+    }
+};
+
+} // namespace
+
+BulletSkin::BulletSkin(const int (*triangle)[3], int triangle_count, const real4* x_,
+                       int point_count)
+    : x(x_) {
+    sort_along_curve(triangle, triangle_count, point_count);
+    collect_particles();
+    const int patches = (int)particle_from.size() - 1;
+    patch_box.resize((size_t)patches);
+    for (int p = 0; p < patches; p++)
+        tree.insert(volume_of(Box{x[0], x[0]}), reinterpret_cast<void*>((std::intptr_t)p));
+    refit(0);
+    tree.optimizeTopDown();
+}
+
+void BulletSkin::sort_along_curve(const int (*triangle)[3], int triangle_count, int point_count) {
     Box box = NOTHING;
     for (int i = 0; i < point_count; i++) {
         box.low = lower(box.low, x[i]);
@@ -177,7 +152,30 @@ void Patches::sort_by_place(const int (*triangle)[3], int triangle_count, int po
         corners.push_back({t, {triangle[t][0], triangle[t][1], triangle[t][2]}});
 }
 
-void Patches::refit(real margin) {
+void BulletSkin::collect_particles() {
+    particle_from.push_back(0);
+    for (size_t from = 0; from < corners.size(); from += PATCH) {
+        const size_t start = particle.size(), end = std::min(from + PATCH, corners.size());
+        for (size_t i = from; i < end; i++)
+            particle.insert(particle.end(), corners[i].point, corners[i].point + 3);
+        std::sort(particle.begin() + (long)start, particle.end());
+        particle.erase(std::unique(particle.begin() + (long)start, particle.end()), particle.end());
+        particle_from.push_back((int)particle.size());
+    }
+}
+
+/// The tree keeps its shape, for patches that lie together at first stay together.
+void BulletSkin::refit_node(btDbvtNode* node) {
+    if (node->isleaf()) {
+        node->volume = volume_of(patch_box[(size_t)node->dataAsInt]);
+        return;
+    }
+    refit_node(node->childs[0]);
+    refit_node(node->childs[1]);
+    Merge(node->childs[0]->volume, node->childs[1]->volume, node->volume);
+}
+
+void BulletSkin::refit(real margin) {
     const real4 grown = {margin, margin, margin, 0};
     whole = NOTHING;
     for (size_t p = 0; p < patch_box.size(); p++) {
@@ -186,107 +184,60 @@ void Patches::refit(real margin) {
         patch_box[p] = box;
         whole = {lower(whole.low, box.low), higher(whole.high, box.high)};
     }
+    refit_node(tree.m_root);
 }
 
-/// Bullet drops triangles of almost no area, and the thinner or larger a triangle, the worse it
-/// knows the plane's distance. True if the error stays below the slack in reach.
-bool Patches::measurable(const real4 corner[3]) const {
-    const real4 a = corner[1] - corner[0], b = corner[2] - corner[0];
-    const real edge2 = real_max(real_max(dot(a, a), dot(b, b)), dot(b - a, b - a));
-    const real area = length(cross(a, b));
-    const real size = real_sqrt(edge2) + reach;
-    return area > 2 * SIMD_EPSILON &&
-           NORMAL_ROUNDINGS * REAL_EPSILON * edge2 * size < (real)(SLACK / 2) * reach * area;
-}
-
-void Patches::process(const Corners& each, btTriangleCallback* callback) const {
-    const real4 corner[3] = {x[each.point[0]], x[each.point[1]], x[each.point[2]]};
-    const Box box = {lower(lower(corner[0], corner[1]), corner[2]),
-                     higher(higher(corner[0], corner[1]), corner[2])};
-    if (!within(box, center, reach))
-        return;
-    if (!measurable(corner)) {
-        unmeasured->push_back(each.number);
-        return;
-    }
-    btVector3 vertex[3];
-    for (int k = 0; k < 3; k++)
-        vertex[k].setValue(corner[k][0], corner[k][1], corner[k][2]);
-    callback->processTriangle(vertex, 0, each.number);
-}
-
-void Patches::processAllTriangles(btTriangleCallback* callback, const btVector3& /*low*/,
-                                  const btVector3& /*high*/) const {
-    // Bullet asks for the ball's box; the ball is less than that
-    for (size_t p = 0; p < patch_box.size(); p++) {
-        if (!within(patch_box[p], center, reach))
-            continue;
-        const size_t end = std::min((p + 1) * PATCH, corners.size());
-        for (size_t i = p * PATCH; i < end; i++)
-            process(corners[i], callback);
+void BulletSkin::search_patch(int patch, real4 center, real reach) {
+    const size_t end = std::min((size_t)(patch + 1) * PATCH, corners.size());
+    for (size_t i = (size_t)patch * PATCH; i < end; i++) {
+        const int* point = corners[i].point;
+        const real4 a = x[point[0]], b = x[point[1]], c = x[point[2]];
+        if (within({lower(lower(a, b), c), higher(higher(a, b), c)}, center, reach))
+            found.push_back(corners[i].number);
     }
 }
 
-namespace {
+/// Numbers of the triangles whose boxes are within reach, in rising order.
+const std::vector<int>& BulletSkin::near(real4 center, real reach) {
+    hit.clear();
+    found.clear();
+    Hits hits;
+    hits.patch = &hit;
+    const real4 around = {reach, reach, reach, 0};
+    tree.collideTV(tree.m_root, volume_of({center - around, center + around}), hits);
+    for (const int p : hit)
+        if (within(patch_box[(size_t)p], center, reach))
+            search_patch(p, center, reach);
+    std::sort(found.begin(), found.end());
+    return found;
+}
 
-struct Collect : btCollisionWorld::ContactResultCallback {
-    std::vector<int>* found;
-
-    explicit Collect(std::vector<int>* into) : found(into) {
-    }
-
-    btScalar addSingleResult(btManifoldPoint& /*point*/, const btCollisionObjectWrapper* /*a*/,
-                             int /*part_a*/, int index_a, const btCollisionObjectWrapper* /*b*/,
-                             int /*part_b*/, int index_b) override {
-        // the ball's own index is -1
-        found->push_back(std::max(index_a, index_b));
-        return 0;
-    }
-};
-
-} // namespace
-
-BulletSkin* bullet_skin_open(Bullet* /*bullet*/, const int (*triangle)[3], int triangle_count,
-                             const real4* x, int point_count) {
+BulletSkin* bullet_skin_open(const int (*triangle)[3], int triangle_count, const real4* x,
+                             int point_count) {
     return new BulletSkin(triangle, triangle_count, x, point_count);
 }
 
-void bullet_skin_close(Bullet* /*bullet*/, BulletSkin* skin) {
+void bullet_skin_close(BulletSkin* skin) {
     delete skin;
 }
 
 void bullet_skin_refit(BulletSkin* skin, double margin) {
-    skin->patches.refit((real)margin);
+    skin->refit((real)margin);
 }
 
 void bullet_skin_box(const BulletSkin* skin, double low[3], double high[3]) {
     for (int k = 0; k < 3; k++) {
-        low[k] = (double)skin->patches.box().low[k];
-        high[k] = (double)skin->patches.box().high[k];
+        low[k] = (double)skin->whole.low[k];
+        high[k] = (double)skin->whole.high[k];
     }
 }
 
-int bullet_skin_near(Bullet* bullet, BulletSkin* skin, const double center[3], double reach,
-                     int* triangle, int room) {
+int bullet_skin_near(BulletSkin* skin, const double center[3], double reach, int* triangle,
+                     int capacity) {
     const double far = std::max({std::fabs(center[0]), std::fabs(center[1]), std::fabs(center[2])});
     const real asked = (real)(reach * (1 + SLACK) + 4 * REAL_EPSILON * (far + reach));
-    const btVector3 place((btScalar)center[0], (btScalar)center[1], (btScalar)center[2]);
-    const real4 at = {place.x(), place.y(), place.z(), 0};
-    if (!within(skin->patches.box(), at, asked))
-        return 0;
-
-    bullet->found.clear();
-    skin->patches.center = at;
-    skin->patches.reach = asked;
-    skin->patches.unmeasured = &bullet->found;
-    bullet->probe_shape.setUnscaledRadius(asked);
-    bullet->probe.setWorldTransform(btTransform(btMatrix3x3::getIdentity(), place));
-    Collect collect(&bullet->found);
-    bullet->world.contactPairTest(&bullet->probe, &skin->object, collect);
-
-    std::vector<int>& found = bullet->found;
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    std::copy_n(found.begin(), std::min((int)found.size(), room), triangle);
+    const real4 at = {(real)center[0], (real)center[1], (real)center[2], 0};
+    const std::vector<int>& found = skin->near(at, asked);
+    std::copy_n(found.begin(), std::min((int)found.size(), capacity), triangle);
     return (int)found.size();
 }

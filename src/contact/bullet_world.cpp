@@ -192,12 +192,10 @@ void Meetings::dispatchAllCollisionPairs(btOverlappingPairCache* cache,
 }
 
 Bullet::Bullet()
-    : meetings(&configuration), world(&meetings, &broadphase, &solver, &configuration),
-      probe_shape(1) {
+    : meetings(&configuration), world(&meetings, &broadphase, &solver, &configuration) {
     meetings.ball = &ball;
     meetings.wall = &wall;
     meetings.setDispatcherFlags(btCollisionDispatcher::CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
-    probe.setCollisionShape(&probe_shape);
     world.setGravity(btVector3(0, 0, 0));
 
     // boxes of the whole path in the step

@@ -49,8 +49,8 @@ static void begin(Contacts* contacts) {
         ContactSkin* skin = &contacts->skin[b];
         const Mesh* mesh = skin->body->mesh;
         skin->owners = feature_owners(mesh);
-        skin->patches = bullet_skin_open(contacts->bullet, (const int(*)[3])mesh->triangle,
-                                         mesh->triangle_count, skin->body->x, mesh->point_count);
+        skin->patches = bullet_skin_open((const int(*)[3])mesh->triangle, mesh->triangle_count,
+                                         skin->body->x, mesh->point_count);
         skin->fastest = near_fastest(skin->body);
         skin->grown = INFINITY;
     }
@@ -349,7 +349,7 @@ int contacts_bad(const Contacts* contacts) {
 void contacts_close(Contacts* contacts) {
     if (contacts->bullet) {
         for (int b = 0; b < contacts->skin_count; b++) {
-            bullet_skin_close(contacts->bullet, contacts->skin[b].patches);
+            bullet_skin_close(contacts->skin[b].patches);
             free(contacts->skin[b].owners);
         }
         bullet_close(contacts->bullet);

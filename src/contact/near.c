@@ -41,8 +41,8 @@ int near_triangles(Contacts* contacts, ContactSkin* skin, const Sphere* sphere, 
     near_refit(skin);
     const double center[3] = {(double)sphere->x[0], (double)sphere->x[1], (double)sphere->x[2]};
     int count;
-    while ((count = bullet_skin_near(contacts->bullet, skin->patches, center, reach,
-                                     contacts->triangle, contacts->contact_room)) >
+    while ((count = bullet_skin_near(skin->patches, center, reach, contacts->triangle,
+                                     contacts->contact_room)) >
            contacts->contact_room - contacts->near_count) {
         const size_t room = (size_t)contacts->contact_room;
         contacts->contact = near_grown(contacts->contact, room, sizeof(Contact));
