@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/table.h"
 #include "base/crew.h"
 #include "cli/open.h"
 #include "cli/verb.h"
@@ -37,10 +38,7 @@ enum { VERBS = sizeof verb_table / sizeof *verb_table };
 // clang-format on
 
 static const Verb* find_verb(const char* name) {
-    for (int k = 0; k < VERBS; k++)
-        if (strcmp(verb_table[k].name, name) == 0)
-            return &verb_table[k];
-    return NULL;
+    return table_row_of(verb_table, VERBS, sizeof *verb_table, name);
 }
 
 static bool is_verb(const char* word) {
@@ -81,7 +79,7 @@ int main(int argc, char** argv) {
     double threads;
     bool good = options_number(options.threads, "--threads", 1, &threads, &fault);
     if (good) {
-        crew_set((int)fmin(threads, CREW_MOST));
+        crew_set((int)fmin(threads, CREW_THREADS_MAX));
         good = (word ? find_verb(word) : &verb_table[0])->call(&options, &fault);
         crew_set(1);
     }

@@ -1,6 +1,6 @@
-/// Which of a kernel's compilations this machine runs (Makefile: sources that end in _kernel.c).
+/// Which compilation of a kernel this machine runs (Makefile: sources that end in _kernel.c).
 ///
-/// All give the same bits. BALLOON_CPU=baseline in the environment takes the plainest, to compare.
+/// All give the same bits. BALLOON_CPU=baseline in the environment selects the baseline, to compare.
 #ifndef BALLOON_BASE_CPU_H
 #define BALLOON_BASE_CPU_H
 

@@ -1,4 +1,4 @@
-/// One sentence about bad input, with its place: the second of the three kinds of failure.
+/// One sentence about bad input, with its location: the second of three kinds of failure.
 ///
 ///   * a bug                         ASSERT, which prints the condition and a sentence and aborts
 ///   * a bad file, argument, display a Fault: the function returns false, main prints it once

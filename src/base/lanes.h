@@ -1,13 +1,13 @@
-/// Numbers side by side, for kernels that do the same for many particles or elements.
+/// SIMD vectors, for kernels that compute the same for many particles or elements.
 ///
-/// Arrays hold eight of them together, whatever the machine; a vector of `lanes` holds as many of
-/// the eight as a register does, WIDE, and a kernel goes through the eight in steps of that. (gcc
-/// keeps vectors that are wider than a register in memory and compares them number by number.)
+/// Arrays hold groups of eight numbers on every machine. A `lanes` holds WIDE of them, as many as a
+/// register, and a kernel walks through the eight in steps of WIDE. (gcc keeps vectors that are wider
+/// than a register in memory and compares them number by number.)
 ///
-/// Operators act lane by lane. A kernel's file is compiled for the plainest machine of its kind and
-/// for newer ones (base/cpu.h); what differs between them is here, moves data only, and has the
-/// same bits, if sums over lanes run in their order. Masks are integers of the same size: all bits
-/// set where true.
+/// Operators act lane by lane. A kernel's file is compiled for the baseline of an architecture and for
+/// newer machines (base/cpu.h). All that differs between them is in this file: it moves data only, so
+/// the bits are the same as long as sums over lanes run in the order of the lanes. Masks are integers
+/// of the same size: all bits set where true.
 #ifndef BALLOON_BASE_LANES_H
 #define BALLOON_BASE_LANES_H
 
@@ -19,15 +19,15 @@
 #include <immintrin.h>
 #endif
 
-enum { LANES = 8 }; ///< side by side in arrays
+enum { LANES = 8 }; ///< numbers in a group of an array
 
 #if defined(__AVX__) && !defined(BALLOON_DOUBLE)
-#define WIDE 8 ///< side by side in a register, or two
+#define WIDE 8 ///< numbers in a `lanes`
 #else
 #define WIDE 4
 #endif
 
-enum { VECTORS = WIDE / 4 }; ///< of space, with their spare, in as many
+enum { VECTORS = WIDE / 4 }; ///< real4 in a `lanes`
 
 #ifdef BALLOON_DOUBLE
 typedef int64_t lane_bits;
@@ -38,12 +38,12 @@ typedef real lanes __attribute__((vector_size(WIDE * sizeof(real))));
 typedef lane_bits lane_mask __attribute__((vector_size(WIDE * sizeof(real))));
 typedef double lanes_double __attribute__((vector_size(WIDE * sizeof(double))));
 
-/// The first lane, among eight, of those that begin with number n.
+/// Where the `lanes` that holds number n begins within its group of eight, for n a multiple of WIDE.
 static inline int lane_of(int n) {
     return WIDE == LANES ? 0 : n % LANES;
 }
 
-/// WIDE vectors of space.
+/// WIDE vectors in space.
 typedef struct Lanes3 {
     lanes x, y, z;
 } Lanes3;
@@ -62,7 +62,7 @@ static inline lanes lanes_select(lane_mask which, lanes yes, lanes no) {
     return (lanes)((which & (lane_mask)yes) | (~which & (lane_mask)no));
 }
 
-/// Without their signs.
+/// Absolute values.
 static inline lanes lanes_size(lanes a) {
     const lanes minus = -(lanes){0};
     return (lanes)((lane_mask)a & ~(lane_mask)minus);
@@ -85,7 +85,7 @@ static inline lanes lanes_higher(lanes a, lanes b) {
 #endif
 }
 
-/// Square roots, correctly rounded, in pieces as wide as the machine has them.
+/// Square roots, correctly rounded, by the widest instruction of the machine.
 static inline lanes lanes_sqrt(lanes a) {
 #if defined(__AVX__) && defined(BALLOON_DOUBLE)
 #define PIECE __m256d
@@ -136,7 +136,7 @@ static inline Lanes3 lanes3_cross(Lanes3 a, Lanes3 b) {
 
 #if WIDE == 8
 
-/// Two vectors of four side by side, and back.
+/// Two real4 as one `lanes`, and back.
 static inline lanes lanes_join(real4 low, real4 high) {
     return (lanes)_mm256_insertf128_ps(_mm256_castps128_ps256((__m128)low), (__m128)high, 1);
 }
@@ -149,7 +149,7 @@ static inline real4 lanes_high(lanes a) {
     return (real4)_mm256_extractf128_ps((__m256)a, 1);
 }
 
-/// The x, y and z of vectors of space.
+/// Transpose: x, y and z of vectors in space.
 static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3, real4 a4, real4 a5, real4 a6,
                                real4 a7) {
     const __m256 a = (__m256)lanes_join(a0, a4), b = (__m256)lanes_join(a1, a5);
@@ -160,7 +160,7 @@ static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3, real4 a4,
                     (lanes)_mm256_shuffle_ps(ab_z, cd_z, 0x44)};
 }
 
-/// Vectors of space one after the other, spare lanes zero.
+/// Transpose back: vectors one after the other, spare lanes zero.
 static inline void lanes3_store(real4* out, Lanes3 v) {
     const __m256 x = (__m256)v.x, y = (__m256)v.y, z = (__m256)v.z, zero = _mm256_setzero_ps();
     const __m256 xy = _mm256_unpacklo_ps(x, y), xy_high = _mm256_unpackhi_ps(x, y);
@@ -175,8 +175,8 @@ static inline void lanes3_store(real4* out, Lanes3 v) {
 
 #else
 
-/// Rows to columns, by the shuffles that a machine with four such numbers in a register has.
-static inline void lanes_turn(real4 a, real4 b, real4 c, real4 d, real4 out[4]) {
+/// Transpose 4 x 4, by the shuffles of a machine with four such numbers in a register.
+static inline void lanes_transpose(real4 a, real4 b, real4 c, real4 d, real4 out[4]) {
 #if defined(BALLOON_DOUBLE) && !defined(__AVX__)
     for (int k = 0; k < 4; k++)
         out[k] = (real4){a[k], b[k], c[k], d[k]};
@@ -203,13 +203,13 @@ static inline void lanes_turn(real4 a, real4 b, real4 c, real4 d, real4 out[4]) 
 
 static inline Lanes3 lanes3_of(real4 a0, real4 a1, real4 a2, real4 a3) {
     real4 column[4];
-    lanes_turn(a0, a1, a2, a3, column);
+    lanes_transpose(a0, a1, a2, a3, column);
     return (Lanes3){column[0], column[1], column[2]};
 }
 
 static inline void lanes3_store(real4* out, Lanes3 v) {
     const real4 zero = {0, 0, 0, 0};
-    lanes_turn(v.x, v.y, v.z, zero, out);
+    lanes_transpose(v.x, v.y, v.z, zero, out);
 }
 
 #endif
@@ -227,14 +227,14 @@ static inline Lanes3 lanes3_load(const real4* a) {
 #undef AT
 }
 
-/// The vectors at WIDE places of an array, in bytes from its start.
-static inline Lanes3 lanes3_gather(const real4* array, const uint32_t* place) {
-#define AT(k) (*(const real4*)((const char*)array + place[k]))
+/// The vectors at WIDE byte offsets from the start of an array.
+static inline Lanes3 lanes3_gather(const real4* array, const uint32_t* offset) {
+#define AT(k) (*(const real4*)((const char*)array + offset[k]))
     return LANES3_OF(AT);
 #undef AT
 }
 
-/// The same vector of space, or other four numbers, in each four of the lanes; WIDE / 4 of them.
+/// The same four numbers in each four lanes.
 static inline lanes lanes_repeat(real4 a) {
 #if WIDE == 8
     return lanes_join(a, a);
@@ -243,7 +243,7 @@ static inline lanes lanes_repeat(real4 a) {
 #endif
 }
 
-/// The first number in the first four of the lanes, and the next in the next; WIDE / 4 of them.
+/// a[0] in the first four lanes, a[1] in the next four if there are eight.
 static inline lanes lanes_each(const real* a) {
     const real4 low = {a[0], a[0], a[0], a[0]};
 #if WIDE == 8
@@ -264,7 +264,7 @@ static inline void lanes_sum(double4* sum, lanes a) {
 #endif
 }
 
-/// sum[k / 4][k % 4] += a[k - lane]: the lanes of eight, or more, that begin with `lane`.
+/// sum[k / 4][k % 4] += a[k - lane] for k = lane … lane + WIDE - 1: each four lanes have their own sum.
 static inline void lanes_sum_apart(double4* sum, int lane, lanes a) {
 #if WIDE == 8
     sum[lane / 4] += to_double4(lanes_low(a));

@@ -1,4 +1,4 @@
-/// Families are tables whose rows begin with their names. A table holds rows, or pointers to them:
+/// Families are tables whose rows begin with their names. A table holds rows, or pointers to rows:
 ///
 ///     typedef struct Row { const char* name; … } Row;
 ///     extern const Row row_table[];            row_of, names_of: with the size of a row

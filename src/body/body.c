@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/array.h"
 #include "base/crew.h"
 #include "base/memory.h"
 #include "base/vectors.h"
@@ -150,14 +151,7 @@ void body_inflate(Body* body, const Inflation* inflation) {
 }
 
 void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack) {
-    if (body->string_count == body->string_room) {
-        body->string_room = body->string_room ? 2 * body->string_room : 4;
-        String* more = new_array(String, body->string_room);
-        if (body->string_count)
-            memcpy(more, body->string, (size_t)body->string_count * sizeof *more);
-        free(body->string);
-        body->string = more;
-    }
+    array_reserve(body->string, body->string_count, body->string_capacity);
     const real4 end = to_real4((double4){anchor[0], anchor[1], anchor[2], 0});
     body->string[body->string_count++] = (String){
         .particle = particle,

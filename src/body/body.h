@@ -55,9 +55,9 @@ typedef struct Body {
     Inflation inflation;
     Helium helium;
     Damping damping;
-    String* string; ///< [string_room] the first string_count are tied
+    String* string; ///< [string_capacity] the first string_count are tied
     int string_count;
-    int string_room;
+    int string_capacity;
 } Body;
 
 /// Where a mesh's points go: x = position + turn(scale (point - center)).

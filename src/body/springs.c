@@ -3,28 +3,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/array.h"
 #include "base/memory.h"
 
 const char* const spring_kind_name[SPRING_KINDS] = {"structural", "shear", "flexion"};
 const char* const spring_law_name[SPRING_LAWS] = {"hooke", "rubber", "tension"};
 
-/// Pairs as they are found. The list grows by doubling: how many there are follows from valences
-/// and coincidences, and finding out costs as much as finding them.
+/// Pairs as they are found. Their number follows from valences and coincidences; to count them first
+/// would cost as much as to find them.
 typedef struct Pairs {
     int count;
-    int room;
+    int capacity;
     int (*end)[2];
 } Pairs;
 
 static void push(Pairs* pairs, int a, int b) {
-    if (pairs->count == pairs->room) {
-        const int room = 2 * pairs->room;
-        int(*end)[2] = new_array(int[2], room);
-        memcpy(end, pairs->end, (size_t)pairs->count * sizeof *end);
-        free(pairs->end);
-        pairs->end = end;
-        pairs->room = room;
-    }
+    array_reserve(pairs->end, pairs->count, pairs->capacity);
     pairs->end[pairs->count][0] = a;
     pairs->end[pairs->count][1] = b;
     pairs->count++;
@@ -92,7 +86,7 @@ static void forget(int* seen, int count) {
 }
 
 void springs_find(const Mesh* mesh, const bool wanted[SPRING_KINDS], Springs* springs) {
-    Pairs pairs = {.room = 64, .end = new_array(int[2], 64)};
+    Pairs pairs = {0};
     int* seen = new_array(int, mesh->point_count);
 
     if (wanted[STRUCTURAL])

@@ -5,9 +5,10 @@
 #include <strings.h>
 #include <sys/stat.h>
 
+#include "base/paths.h"
+#include "base/table.h"
 #include "mesh/load.h"
 #include "mesh/shape.h"
-#include "base/paths.h"
 #include "scene/scene.h"
 
 enum { NAMES_SHOWN = 8 }; ///< scenes that a sentence lists
@@ -77,26 +78,17 @@ static bool find_scene(const char* name, SceneSource* source) {
 static void scene_words(char* words, size_t size) {
     char** path;
     const int count = scene_list(&path);
-    size_t length = 0;
     words[0] = '\0';
     for (int i = 0; i < count; i++) {
         char name[256];
         scene_name(path[i], name);
-        if (i < NAMES_SHOWN && length < size)
-            length += (size_t)snprintf(words + length, size - length, "%s%s", i ? ", " : "", name);
+        if (i < NAMES_SHOWN)
+            table_add_name(words, size, name);
         free(path[i]);
     }
     free(path);
-    if (count > NAMES_SHOWN && length < size)
-        snprintf(words + length, size - length, ", …");
-}
-
-static void shape_words(char* words, size_t size) {
-    size_t length = 0;
-    words[0] = '\0';
-    for (int i = 0; i < shape_count && length < size; i++)
-        length += (size_t)snprintf(words + length, size - length, "%s%s", i ? ", " : "",
-                                   shape_table[i].name);
+    if (count > NAMES_SHOWN)
+        table_add_name(words, size, "…");
 }
 
 bool scene_find(const char* name, SceneSource* source, Fault* fault) {
@@ -106,7 +98,7 @@ bool scene_find(const char* name, SceneSource* source, Fault* fault) {
 
     char scenes[300], shapes[200];
     scene_words(scenes, sizeof scenes);
-    shape_words(shapes, sizeof shapes);
+    table_names_of(shape_table, shape_count, sizeof *shape_table, shapes, sizeof shapes);
     return fault_set(fault, name,
                      "there is no such scene or mesh, here or in assets/scenes and assets/models; "
                      "scenes are %s; shapes are %s; or give the path of a .yaml or a mesh",
@@ -131,7 +123,7 @@ bool scene_model_path(const WorldDef* def, const char* model, char path[512], Fa
         return true;
 
     char shapes[200];
-    shape_words(shapes, sizeof shapes);
+    table_names_of(shape_table, shape_count, sizeof *shape_table, shapes, sizeof shapes);
     return fault_set(fault, def->file,
                      "no model '%s'; it is not beside the scene, in assets/models or in the "
                      "working folder, nor one of the shapes %s",

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/array.h"
 #include "base/memory.h"
 #include "base/paths.h"
 
@@ -27,18 +28,11 @@ void scene_name(const char* path, char name[256]) {
 typedef struct List {
     char** path;
     int count;
-    int room;
+    int capacity;
 } List;
 
 static void list_add(List* list, const char* path) {
-    if (list->count == list->room) {
-        char** old = list->path;
-        list->room = list->room ? 2 * list->room : 64;
-        list->path = new_array(char*, list->room);
-        if (old)
-            memcpy(list->path, old, (size_t)list->count * sizeof *old);
-        free(old);
-    }
+    array_reserve(list->path, list->count, list->capacity);
     list->path[list->count] = new_array(char, strlen(path) + 1);
     strcpy(list->path[list->count++], path);
 }

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/array.h"
+#include "base/table.h"
 #include "base/memory.h"
 #include "world/command.h"
 
@@ -37,11 +39,8 @@ static bool judge_key(const Event* event, const Line* line) {
     if (command_find(event->name) >= 0)
         return true;
 
-    char names[256] = "";
-    size_t length = 0;
-    for (int i = 0; i < command_count && length < sizeof names; i++)
-        length += (size_t)snprintf(names + length, sizeof names - length, "%s%s", i ? ", " : "",
-                                   command_table[i].name);
+    char names[256];
+    table_names_of(command_table, command_count, sizeof *command_table, names, sizeof names);
     return fault_at(line->fault, line->file, line->number, "no key '%s'; there are %s", event->name,
                     names);
 }
@@ -92,11 +91,8 @@ static const Kind kind_table[] = {
 enum { KINDS = sizeof kind_table / sizeof kind_table[0] };
 
 static bool kind_fault(const Line* line, const char* word, size_t length) {
-    char names[128] = "";
-    size_t used = 0;
-    for (int i = 0; i < KINDS && used < sizeof names; i++)
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i ? ", " : "",
-                                 kind_table[i].name);
+    char names[128];
+    table_names_of(kind_table, KINDS, sizeof *kind_table, names, sizeof names);
     return fault_at(line->fault, line->file, line->number, "no event '%.*s'; there are %s",
                     (int)length, word, names);
 }
@@ -199,14 +195,7 @@ void record_title(const char* scene, FILE* log) {
 }
 
 void record_add(Record* record, const Event* event, FILE* log) {
-    if (record->count == record->room) {
-        Event* old = record->event;
-        record->room = record->room ? 2 * record->room : 64;
-        record->event = new_array(Event, record->room);
-        if (old)
-            memcpy(record->event, old, (size_t)record->count * sizeof *old);
-        free(old);
-    }
+    array_reserve(record->event, record->count, record->capacity);
     record->event[record->count++] = *event;
     if (!log)
         return;

@@ -31,8 +31,8 @@ typedef struct Event {
 
 typedef struct Record {
     int count;
-    int room;
-    Event* event; ///< [room] in order of step
+    int capacity;
+    Event* event; ///< [capacity] in order of step
     int next;     ///< the first event that was not replayed yet
 } Record;
 

@@ -1,42 +1,42 @@
-/// Threads: every part once, and the same bits for any number of them.
+/// Threads: every task once, and the same bits for any number of them.
 #include "base/crew.h"
 #include "bodies.h"
 #include "force/force.h"
 #include "worlds.h"
 
-enum { PARTS = 1000, THREADS = 5 };
+enum { TASKS = 1000, THREADS = 5 };
 
-static void count_part(void* self, int number) {
+static void count_task(void* self, int number) {
     ((int*)self)[number]++;
 }
 
-static void every_part_is_done_once(void** state) {
+static void every_task_is_done_once(void** state) {
     (void)state;
     for (int threads = 1; threads <= THREADS; threads++) {
         crew_set(threads);
-        int done[PARTS] = {0};
+        int done[TASKS] = {0};
         for (int run = 0; run < 20; run++)
-            crew_run(count_part, done, PARTS - run);
-        for (int k = 0; k < PARTS - 20; k++)
+            crew_run(count_task, done, TASKS - run);
+        for (int k = 0; k < TASKS - 20; k++)
             assert_int_equal(done[k], 20);
-        crew_run(count_part, done, 0);
+        crew_run(count_task, done, 0);
     }
     crew_set(1);
 }
 
-/// A row of parts that has rows of its own.
+/// A task that runs tasks itself.
 static void count_row(void* self, int number) {
-    crew_run(count_part, (int(*)[PARTS])self + number, PARTS);
+    crew_run(count_task, (int(*)[TASKS])self + number, TASKS);
 }
 
-static void a_part_has_parts_of_its_own(void** state) {
+static void a_task_has_tasks_of_its_own(void** state) {
     (void)state;
     for (int threads = 1; threads <= THREADS; threads++) {
         crew_set(threads);
-        int done[2 * THREADS][PARTS] = {{0}};
+        int done[2 * THREADS][TASKS] = {{0}};
         crew_run(count_row, done, 2 * THREADS);
         for (int row = 0; row < 2 * THREADS; row++)
-            for (int k = 0; k < PARTS; k++)
+            for (int k = 0; k < TASKS; k++)
                 assert_int_equal(done[row][k], 1);
     }
     crew_set(1);
@@ -134,8 +134,8 @@ static void parts_of_a_membrane_are_apart(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_part_is_done_once),
-        cmocka_unit_test(a_part_has_parts_of_its_own),
+        cmocka_unit_test(every_task_is_done_once),
+        cmocka_unit_test(a_task_has_tasks_of_its_own),
         cmocka_unit_test(balloons_are_shared_by_threads),
         cmocka_unit_test(any_number_of_threads_gives_the_same_bits),
         cmocka_unit_test(parts_of_a_membrane_are_apart),

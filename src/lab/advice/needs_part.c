@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/table.h"
 #include "lab/run/refinement.h"
 #include "mesh/measure.h"
 
@@ -222,8 +223,5 @@ const NeedsPart needs_part_table[] = {
 const int needs_part_count = sizeof needs_part_table / sizeof *needs_part_table;
 
 const NeedsPart* needs_part_find(const char* name) {
-    for (int k = 0; k < needs_part_count; k++)
-        if (strcmp(needs_part_table[k].name, name) == 0)
-            return &needs_part_table[k];
-    return NULL;
+    return table_row_of(needs_part_table, needs_part_count, sizeof *needs_part_table, name);
 }

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/table.h"
 #include "lab/truth/root.h"
 
 static double sq(double x) {
@@ -149,10 +150,7 @@ const TruthLaw truth_law_table[] = {
 const int truth_law_count = sizeof truth_law_table / sizeof *truth_law_table;
 
 const TruthLaw* truth_law_find(const char* name) {
-    for (int i = 0; i < truth_law_count; i++)
-        if (strcmp(truth_law_table[i].name, name) == 0)
-            return &truth_law_table[i];
-    return NULL;
+    return table_row_of(truth_law_table, truth_law_count, sizeof *truth_law_table, name);
 }
 
 TruthBalloon truth_balloon_default(void) {
