@@ -32,10 +32,10 @@ static void kick_in_place(Body* body, real4* start, double h) {
     memcpy(body->x, start, (size_t)body->count * sizeof *start); // the drift is to come
 }
 
-static bool kick(Body* body, void* room, double h, Effort* effort) {
-    (void)effort;
-    if (room) {
-        kick_in_place(body, room, h);
+static bool kick_body(Body* body, void* workspace, double h, SolveStats* stats) {
+    (void)stats;
+    if (workspace) {
+        kick_in_place(body, workspace, h);
         return true;
     }
     force_push(body, h);
@@ -55,7 +55,8 @@ const Method method_euler = {
     .about = "semi-implicit Euler, order 1: all forces, then all particles",
     .open = open,
     .close = free,
-    .kick = kick,
+    .kick = system_kick,
+    .kick_body = kick_body,
     .drift = body_drift,
     .limit = limit,
 };

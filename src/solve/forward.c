@@ -10,8 +10,8 @@
 #include "force/force.h"
 #include "solve/method.h"
 
-static bool kick(Body* body, void* room, double h, Effort* effort) {
-    (void)room, (void)h, (void)effort;
+static bool kick_body(Body* body, void* workspace, double h, SolveStats* stats) {
+    (void)workspace, (void)h, (void)stats;
     force_sum(body);
     return true;
 }
@@ -33,7 +33,8 @@ static double limit(double w2, double gamma) {
 const Method method_forward = {
     .name = "forward",
     .about = "forward Euler, order 1: explodes without damping, kept to show where",
-    .kick = kick,
+    .kick = system_kick,
+    .kick_body = kick_body,
     .drift = drift,
     .limit = limit,
 };

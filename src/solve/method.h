@@ -1,41 +1,35 @@
 /// Methods of time stepping: a table, one file and one row each.
 ///
-/// A step is a kick and a drift. The kick gives the velocities with which the particles are to
-/// drift: under the forces that the scene lists, those at the end of the step (of `forward` those
-/// at its start). Corrections and contacts then have their say on them; the drift moves the
-/// particles, x' = x + h v'. `forward`, `euler` and `newton` know forces only through the force
-/// table, so a new force serves them all; methods of constraints (solve/predict.h) know springs,
-/// strings and gas themselves, and refuse skins that are something else.
+/// A step is a kick and a drift, the two halves of a step of molecular dynamics:
+///
+///     kick    v' = v + h f/m, with f as the method takes it, then strain limits and contacts
+///     drift   x' = x + h v'
+///
+/// `forward` takes f at the start of the step, the others at its end. `forward`, `euler` and
+/// `newton` know forces only through the force table, so a new force serves them all. Methods of
+/// constraints (solve/predict.h) replace forces by constraints of their own.
 #ifndef BALLOON_SOLVE_METHOD_H
 #define BALLOON_SOLVE_METHOD_H
 
-#include "body/body.h"
+#include "solve/system.h"
 
-/// From where an implicit step begins.
+/// First guess of an implicit step.
 typedef enum StepStart {
-    START_INERTIA, ///< x + h v, where the body would go by itself
-    START_REST,    ///< x, the thin-shell paper's eq. 20: what it has of v is lost
+    START_INERTIA, ///< x + h v, free motion
+    START_REST,    ///< x, the thin-shell paper's eq. 20: the old velocity is lost
     STEP_STARTS
 } StepStart;
 extern const char* const step_start_name[STEP_STARTS];
 
-/// What a scene may say of how a step is solved; 0: the method's own.
+/// What a scene may set of the solve; 0: the method's own default.
 typedef struct Solver {
-    int iterations;          ///< most of a step; exactly as many with a tolerance below 0, and of a
-                             ///< method that does not look at what is left (xpbd)
-    double tolerance;        ///< left of the step's equation, relative [1]; below 0: do not look
-    double linear_tolerance; ///< left of each linear equation, relative [1]
+    int iterations;          ///< maximum of a step; exactly as many where the tolerance is below 0,
+                             ///< and in xpbd, which computes no residual
+    double tolerance;        ///< residual of the step's equation, relative [1]; below 0: no test
+    double linear_tolerance; ///< residual of each linear equation, relative [1]
     StepStart start;
     bool in_place; ///< euler: each particle moves before the next one's force is computed
 } Solver;
-
-/// What the last kick took.
-typedef struct Effort {
-    int iterations;
-    int products;    ///< of the tangent with a vector
-    double residual; ///< left of the step's equation, relative [1]
-    int factored;    ///< matrices: the only thing for which a kick may allocate
-} Effort;
 
 typedef struct Method {
     const char* name;
@@ -47,16 +41,21 @@ typedef struct Method {
     /// Why this method cannot step this body, or NULL if it can.
     const char* (*refuses)(const Body* body);
 
-    /// Room for a body's steps, NULL members: none is needed. A kick allocates nothing, but where
-    /// it says that it has factored a matrix.
+    /// The workspace for a body's steps; NULL members: none is needed. A kick allocates nothing,
+    /// unless its statistics say that it has factored a matrix.
     void* (*open)(Body* body, const Solver* solver);
-    void (*close)(void* room);
+    void (*close)(void* workspace);
 
-    /// Velocities of the coming drift. False, and nothing changed, where the step was not solved;
-    /// only where the method can fail.
-    bool (*kick)(Body* body, void* room, double h, Effort* effort);
+    /// Velocities of the coming drift, under forces, strain limits and contacts. *drift is its
+    /// length: h, unless contacts have made something so fast that it must be shorter. False where
+    /// a body's step was not solved: then no velocity has changed, and system->unsolved names it.
+    bool (*kick)(const struct Method* method, System* system, Contacts* contacts, double h,
+                 double* drift);
 
-    /// Positions after h, and what then is left to do to the velocities. Most take body_drift.
+    /// Velocities of one body under its forces alone, for system_kick. False: not solved.
+    bool (*kick_body)(Body* body, void* workspace, double h, SolveStats* stats);
+
+    /// Positions after h; `forward` also changes the velocities here. The others take body_drift.
     void (*drift)(Body* body, double h);
 
     /// Largest stable step [s] for the largest squared frequency w2 [1/s^2] and the damping rate
@@ -80,8 +79,8 @@ const char* method_names(void);
 double method_limit(const Method* method, double w2, double gamma);
 
 /// The bound that this program computes for a body: the method's limit for the sum of all forces'
-/// bounds on the squared frequency (never less than the true one) and the damping, the least and
-/// the largest over the particles: every mode's lies between them.
+/// bounds on the squared frequency (never less than the true one) and the damping rate. Every mode's
+/// damping rate lies between the smallest and the largest of the particles, which both are tried.
 double method_bound(const Method* method, const Body* body);
 
 #endif

@@ -36,7 +36,7 @@ enum { STALE_AGE = 40 }; ///< nor for more tangents than these
 /// the body's size]
 static const double farthest = 0.1;
 
-typedef struct Room {
+typedef struct Workspace {
     Solver solver;
     real4* x;        ///< [count] positions at the start of the step
     real4* v;        ///< [count] velocities at the start of the step
@@ -53,12 +53,12 @@ typedef struct Room {
     int age;      ///< tangents since then
     bool holds;   ///< some particles do not move
     int fresh;    ///< products of the first solution with it; 0: not known yet
-} Room;
+} Workspace;
 
 static void* open(Body* body, const Solver* solver) {
-    Room* room = new_array(Room, 1);
+    Workspace* workspace = new_array(Workspace, 1);
     const int n = body->count;
-    *room = (Room){
+    *workspace = (Workspace){
         .solver = *solver,
         .x = new_array(real4, n),
         .v = new_array(real4, n),
@@ -69,39 +69,39 @@ static void* open(Body* body, const Solver* solver) {
         .image = new_array(real4, n),
         .ready = new_array(real4, n),
     };
-    tangent_open(&room->tangent, body);
-    multigrid_open(&room->levels, &room->tangent.matrix, body->inverse_mass);
-    if (room->solver.iterations == 0)
-        room->solver.iterations = usual.iterations;
-    if (room->solver.tolerance == 0)
-        room->solver.tolerance = usual.tolerance;
-    if (room->solver.linear_tolerance == 0)
-        room->solver.linear_tolerance = usual.linear_tolerance;
-    return room;
+    tangent_open(&workspace->tangent, body);
+    multigrid_open(&workspace->levels, &workspace->tangent.matrix, body->inverse_mass);
+    if (workspace->solver.iterations == 0)
+        workspace->solver.iterations = usual.iterations;
+    if (workspace->solver.tolerance == 0)
+        workspace->solver.tolerance = usual.tolerance;
+    if (workspace->solver.linear_tolerance == 0)
+        workspace->solver.linear_tolerance = usual.linear_tolerance;
+    return workspace;
 }
 
 static void close(void* self) {
-    Room* room = self;
-    if (!room)
+    Workspace* workspace = self;
+    if (!workspace)
         return;
-    free(room->x);
-    free(room->v);
-    free(room->residual);
-    free(room->change);
-    free(room->left);
-    free(room->search);
-    free(room->image);
-    free(room->ready);
-    tangent_close(&room->tangent);
-    multigrid_close(&room->levels);
-    free(room);
+    free(workspace->x);
+    free(workspace->v);
+    free(workspace->residual);
+    free(workspace->change);
+    free(workspace->left);
+    free(workspace->search);
+    free(workspace->image);
+    free(workspace->ready);
+    tangent_close(&workspace->tangent);
+    multigrid_close(&workspace->levels);
+    free(workspace);
 }
 
 /// The body at the velocities that are tried: v' = v' + part dv, x' = x + h v'.
-static void go(Body* body, const Room* room, double part, double h) {
+static void go(Body* body, const Workspace* workspace, double part, double h) {
     for (int i = 0; i < body->count; i++) {
-        body->v[i] += (real)part * room->change[i];
-        body->x[i] = room->x[i] + (real)h * body->v[i];
+        body->v[i] += (real)part * workspace->change[i];
+        body->x[i] = workspace->x[i] + (real)h * body->v[i];
     }
 }
 
@@ -110,13 +110,14 @@ static double weigh(const Body* body, const real4* r) {
 }
 
 /// R at the present v' and x', and its size |R|_(1/M).
-static double residual(Body* body, Room* room, double h) {
+static double residual(Body* body, Workspace* workspace, double h) {
     force_sum(body);
     for (int i = 0; i < body->count; i++)
-        room->residual[i] = body->inverse_mass[i] > 0
-                                ? body->mass[i] * (body->v[i] - room->v[i]) - (real)h * body->f[i]
-                                : (real4){0, 0, 0, 0};
-    return weigh(body, room->residual);
+        workspace->residual[i] =
+            body->inverse_mass[i] > 0
+                ? body->mass[i] * (body->v[i] - workspace->v[i]) - (real)h * body->f[i]
+                : (real4){0, 0, 0, 0};
+    return weigh(body, workspace->residual);
 }
 
 /// What R is measured against: the forces that cancel in it, each by itself, times h.
@@ -134,10 +135,10 @@ static double measure_of(Body* body, double h) {
 }
 
 /// P, against the velocities at the start.
-static double potential(const Body* body, const Room* room, double h) {
+static double potential(const Body* body, const Workspace* workspace, double h) {
     double sum = 0;
     for (int i = 0; i < body->count; i++) {
-        const double4 v = to_double4(body->v[i]), dv = v - to_double4(room->v[i]);
+        const double4 v = to_double4(body->v[i]), dv = v - to_double4(workspace->v[i]);
         sum += (double)body->mass[i] * ddot(dv, dv) + h * body_drag(body, i) * ddot(v, v);
     }
     sum /= 2;
@@ -150,11 +151,11 @@ static double potential(const Body* body, const Room* room, double h) {
 /// A, at the present x'. Returns the rounding of R: a position is right to half of its last bit,
 /// and K turns that into force; so is a velocity. 1/2 to 3/4 of this is what is reached, in both
 /// precisions.
-static double ready(Body* body, Room* room, double h, bool project) {
-    tangent_ready(&room->tangent, body, h * h, project);
+static double ready(Body* body, Workspace* workspace, double h, bool project) {
+    tangent_ready(&workspace->tangent, body, h * h, project);
     double noise = 0;
     for (int i = 0; i < body->count; i++) {
-        Block* block = block_matrix_diagonal(&room->tangent.matrix, i);
+        Block* block = block_matrix_diagonal(&workspace->tangent.matrix, i);
         const real place = length(body->x[i]);
         for (int c = 0; c < 3; c++) {
             const double force = (double)(block->column[c][c] * place) / h;
@@ -163,33 +164,34 @@ static double ready(Body* body, Room* room, double h, bool project) {
         }
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i]));
     }
-    const bool all = project || room->levels_h != h;
-    multigrid_ready(&room->levels, body->x, all);
+    const bool all = project || workspace->levels_h != h;
+    multigrid_ready(&workspace->levels, body->x, all);
     if (all)
-        room->fresh = room->age = 0;
-    room->age++;
-    room->levels_h = room->age < STALE_AGE ? h : 0;
+        workspace->fresh = workspace->age = 0;
+    workspace->age++;
+    workspace->levels_h = workspace->age < STALE_AGE ? h : 0;
     return (double)REAL_EPSILON / 2 * sqrt(noise);
 }
 
 /// What is held neither moves nor feels.
-static void keep_held(const Body* body, const Room* room, real4* a) {
-    for (int i = 0; room->holds && i < body->count; i++)
+static void keep_held(const Body* body, const Workspace* workspace, real4* a) {
+    for (int i = 0; workspace->holds && i < body->count; i++)
         if (!(body->inverse_mass[i] > 0))
             a[i] = (real4){0, 0, 0, 0};
 }
 
 /// out = A d
-static void multiply(const Body* body, const Room* room, const real4* d, double h, real4* out) {
-    multigrid_multiply(&room->levels, d, out);
+static void multiply(const Body* body, const Workspace* workspace, const real4* d, double h,
+                     real4* out) {
+    multigrid_multiply(&workspace->levels, d, out);
     tangent_add_dense(body, h * h, d, out);
-    keep_held(body, room, out);
+    keep_held(body, workspace, out);
 }
 
 /// ready = preconditioner times left; returns left . ready.
-static double precondition(const Body* body, Room* room) {
-    const double along = multigrid_apply(&room->levels, room->left, room->ready);
-    keep_held(body, room, room->ready); // left is zero there
+static double precondition(const Body* body, Workspace* workspace) {
+    const double along = multigrid_apply(&workspace->levels, workspace->left, workspace->ready);
+    keep_held(body, workspace, workspace->ready); // left is zero there
     return along;
 }
 
@@ -198,31 +200,32 @@ static double precondition(const Body* body, Room* room) {
 static const double left_most = 0.5;
 
 /// Solve A dv = -R. False where A turns out not to be positive.
-static bool solve_linear(Body* body, Room* room, double h, Effort* effort) {
+static bool solve_linear(Body* body, Workspace* workspace, double h, SolveStats* stats) {
     for (int i = 0; i < body->count; i++)
-        room->left[i] = -room->residual[i];
-    memset(room->change, 0, (size_t)body->count * sizeof *room->change);
+        workspace->left[i] = -workspace->residual[i];
+    memset(workspace->change, 0, (size_t)body->count * sizeof *workspace->change);
 
-    const double most = left_most * weigh(body, room->residual);
-    double size = precondition(body, room);
-    const double enough = size * room->solver.linear_tolerance * room->solver.linear_tolerance;
-    memcpy(room->search, room->ready, (size_t)body->count * sizeof *room->search);
+    const double most = left_most * weigh(body, workspace->residual);
+    double size = precondition(body, workspace);
+    const double enough =
+        size * workspace->solver.linear_tolerance * workspace->solver.linear_tolerance;
+    memcpy(workspace->search, workspace->ready, (size_t)body->count * sizeof *workspace->search);
     for (int n = 0; n < PRODUCTS_MOST; n++) {
-        if (size <= enough && weigh(body, room->left) <= most)
+        if (size <= enough && weigh(body, workspace->left) <= most)
             break;
-        multiply(body, room, room->search, h, room->image);
-        effort->products++;
-        const double curvature = vectors()->dot(room->search, room->image, body->count);
+        multiply(body, workspace, workspace->search, h, workspace->image);
+        stats->products++;
+        const double curvature = vectors()->dot(workspace->search, workspace->image, body->count);
         if (!(curvature > 0))
             return false;
         const real step = (real)(size / curvature);
-        vectors()->add(room->change, step, room->search, body->count);
-        vectors()->add(room->left, -step, room->image, body->count);
+        vectors()->add(workspace->change, step, workspace->search, body->count);
+        vectors()->add(workspace->left, -step, workspace->image, body->count);
         const double last = size;
-        size = precondition(body, room);
+        size = precondition(body, workspace);
         if (!(size >= 0))
             return false;
-        vectors()->turn(room->search, (real)(size / last), room->ready, body->count);
+        vectors()->turn(workspace->search, (real)(size / last), workspace->ready, body->count);
     }
     return true;
 }
@@ -233,73 +236,73 @@ static bool has_room(const Body* body) {
 }
 
 /// The part of dv that is not too far.
-static double first_part(const Body* body, const Room* room, double h) {
-    const double most = (double)vectors()->most(room->change, body->count);
+static double first_part(const Body* body, const Workspace* workspace, double h) {
+    const double most = (double)vectors()->most(workspace->change, body->count);
     return fmin(1, farthest * body->size / (h * sqrt(most)));
 }
 
 /// Take dv, or as much of it as makes things better, where they are worse than `rounding`. Returns
 /// the residual's new size, or less than 0 where no part of dv does.
-static double take(Body* body, Room* room, double before, double rounding, double h) {
-    double potential_before = NAN, taken = 0, part = first_part(body, room, h);
+static double take(Body* body, Workspace* workspace, double before, double rounding, double h) {
+    double potential_before = NAN, taken = 0, part = first_part(body, workspace, h);
     for (int halving = 0; halving < HALVINGS_MOST; halving++, part /= 2) {
         if (halving == 1) { // the first part was not good: what was it worth before?
-            go(body, room, -taken, h);
-            potential_before = potential(body, room, h);
+            go(body, workspace, -taken, h);
+            potential_before = potential(body, workspace, h);
             taken = 0;
         }
-        go(body, room, part - taken, h);
+        go(body, workspace, part - taken, h);
         taken = part;
-        const double after = residual(body, room, h);
+        const double after = residual(body, workspace, h);
         if (!has_room(body))
             continue;
         if (after <= fmax(before, rounding) ||
-            (halving > 0 && potential(body, room, h) < potential_before))
+            (halving > 0 && potential(body, workspace, h) < potential_before))
             return after;
     }
     return -1;
 }
 
-static void put_back(Body* body, const Room* room) {
-    memcpy(body->x, room->x, (size_t)body->count * sizeof *body->x);
-    memcpy(body->v, room->v, (size_t)body->count * sizeof *body->v);
+static void put_back(Body* body, const Workspace* workspace) {
+    memcpy(body->x, workspace->x, (size_t)body->count * sizeof *body->x);
+    memcpy(body->v, workspace->v, (size_t)body->count * sizeof *body->v);
 }
 
 /// dv by the full tangent, or where that is not positive by the part of it that is, which also
 /// leads downhill.
-static void find_change(Body* body, Room* room, double h, Effort* effort) {
-    const int before = effort->products;
-    if (!solve_linear(body, room, h, effort)) {
-        ready(body, room, h, true);
-        solve_linear(body, room, h, effort);
-        room->levels_h = 0;
+static void find_change(Body* body, Workspace* workspace, double h, SolveStats* stats) {
+    const int before = stats->products;
+    if (!solve_linear(body, workspace, h, stats)) {
+        ready(body, workspace, h, true);
+        solve_linear(body, workspace, h, stats);
+        workspace->levels_h = 0;
         return;
     }
-    const int products = effort->products - before;
-    if (room->fresh == 0)
-        room->fresh = products;
-    else if (products > stale_share * room->fresh + stale_more)
-        room->levels_h = 0;
+    const int products = stats->products - before;
+    if (workspace->fresh == 0)
+        workspace->fresh = products;
+    else if (products > stale_share * workspace->fresh + stale_more)
+        workspace->levels_h = 0;
 }
 
-static bool solve(Body* body, Room* room, double size, double h, Effort* effort) {
-    const Solver* solver = &room->solver;
+static bool solve(Body* body, Workspace* workspace, double size, double h, SolveStats* stats) {
+    const Solver* solver = &workspace->solver;
     const bool counted = solver->tolerance < 0;
     const double scale = fmax(size, measure_of(body, h));
     double enough = counted ? -1 : solver->tolerance * scale;
-    while (effort->iterations < solver->iterations && size > enough) {
-        const double rounding = ready(body, room, h, false);
+    while (stats->iterations < solver->iterations && size > enough) {
+        const double rounding = ready(body, workspace, h, false);
         if (!counted)
             enough = fmax(enough, rounding);
         if (size <= enough)
             break;
-        find_change(body, room, h, effort);
-        size = take(body, room, size, rounding, h);
-        effort->iterations++;
+        find_change(body, workspace, h, stats);
+        size = take(body, workspace, size, rounding, h);
+        stats->iterations++;
         if (!(size >= 0))
             return false;
     }
-    effort->residual = scale > 0 ? size / scale : 0;
+    stats->residual = scale > 0 ? size / scale : 0;
     return counted || size <= enough;
 }
 
@@ -314,28 +317,29 @@ static bool holds_some(const Body* body) {
     return false;
 }
 
-static bool kick(Body* body, void* self, double h, Effort* effort) {
-    Room* room = self;
-    room->holds = holds_some(body);
-    *effort = (Effort){0};
-    memcpy(room->x, body->x, (size_t)body->count * sizeof *room->x);
-    memset(room->change, 0, (size_t)body->count * sizeof *room->change);
-    if (room->solver.start == START_REST)
+static bool kick_body(Body* body, void* self, double h, SolveStats* stats) {
+    Workspace* workspace = self;
+    workspace->holds = holds_some(body);
+    *stats = (SolveStats){0};
+    memcpy(workspace->x, body->x, (size_t)body->count * sizeof *workspace->x);
+    memset(workspace->change, 0, (size_t)body->count * sizeof *workspace->change);
+    if (workspace->solver.start == START_REST)
         rest(body);
-    memcpy(room->v, body->v, (size_t)body->count * sizeof *room->v);
-    go(body, room, 0, h);
-    double size = residual(body, room, h);
+    memcpy(workspace->v, body->v, (size_t)body->count * sizeof *workspace->v);
+    go(body, workspace, 0, h);
+    double size = residual(body, workspace, h);
     if (!has_room(body)) { // it would turn inside out by itself: begin where it is
         rest(body);
-        go(body, room, 0, h);
-        size = residual(body, room, h);
+        go(body, workspace, 0, h);
+        size = residual(body, workspace, h);
     }
 
-    const bool solved = solve(body, room, size, h, effort);
+    const bool solved = solve(body, workspace, size, h, stats);
     if (!solved)
-        put_back(body, room);
+        put_back(body, workspace);
     else
-        memcpy(body->x, room->x, (size_t)body->count * sizeof *body->x); // the drift is to come
+        memcpy(body->x, workspace->x,
+               (size_t)body->count * sizeof *body->x); // the drift is to come
     return solved;
 }
 
@@ -347,6 +351,7 @@ const Method method_newton = {
     .can_fail = true,
     .open = open,
     .close = close,
-    .kick = kick,
+    .kick = system_kick,
+    .kick_body = kick_body,
     .drift = body_drift,
 };

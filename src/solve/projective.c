@@ -23,7 +23,7 @@
 
 enum { ITERATIONS = 10 };
 
-typedef struct Room {
+typedef struct Workspace {
     Solver solver;
     Predict predict;
     Factor* factor;
@@ -32,7 +32,7 @@ typedef struct Room {
     double4* left;  ///< [count] r without the gas's push [kg m]
     double4* swell; ///< [count] z; NULL where there is no gas [m^2/kg]
     double weight;  ///< g . z [m^4/kg]
-} Room;
+} Workspace;
 
 static const char* refuses(const Body* body) {
     if (body->springs.count > 0 && body->springs.law != LAW_HOOKE)
@@ -41,31 +41,31 @@ static const char* refuses(const Body* body) {
 }
 
 static void* open(Body* body, const Solver* solver) {
-    Room* room = new_array(Room, 1);
-    room->solver = *solver;
-    if (room->solver.iterations == 0)
-        room->solver.iterations = ITERATIONS;
-    predict_open(&room->predict, body);
-    room->factor = factor_open(body);
-    room->start = new_array(double4, body->count);
-    room->u = new_array(double4, body->count);
-    room->left = new_array(double4, body->count);
+    Workspace* workspace = new_array(Workspace, 1);
+    workspace->solver = *solver;
+    if (workspace->solver.iterations == 0)
+        workspace->solver.iterations = ITERATIONS;
+    predict_open(&workspace->predict, body);
+    workspace->factor = factor_open(body);
+    workspace->start = new_array(double4, body->count);
+    workspace->u = new_array(double4, body->count);
+    workspace->left = new_array(double4, body->count);
     if (body->inflation.law == INFLATE_GAS)
-        room->swell = new_array(double4, body->count);
-    return room;
+        workspace->swell = new_array(double4, body->count);
+    return workspace;
 }
 
 static void close(void* self) {
-    Room* room = self;
-    if (!room)
+    Workspace* workspace = self;
+    if (!workspace)
         return;
-    predict_close(&room->predict);
-    factor_close(room->factor);
-    free(room->start);
-    free(room->u);
-    free(room->left);
-    free(room->swell);
-    free(room);
+    predict_close(&workspace->predict);
+    factor_close(workspace->factor);
+    free(workspace->start);
+    free(workspace->u);
+    free(workspace->left);
+    free(workspace->swell);
+    free(workspace);
 }
 
 /// h^2 times the pull of a spring with the vector d: h^2 k (d - d at its rest length).
@@ -95,31 +95,31 @@ static void pull_springs(const Body* body, double h2, const double4* restrict u,
 }
 
 /// r without the gas's push; returns the size of all of r under a pressure, |r|_w.
-static double residual(const Body* body, Room* room, double h, double pressure) {
+static double residual(const Body* body, Workspace* workspace, double h, double pressure) {
     for (int i = 0; i < body->count; i++)
-        room->left[i] =
-            ((double)body->mass[i] + h * body_drag(body, i)) * (room->start[i] - room->u[i]);
-    pull_springs(body, h * h, room->u, room->left);
+        workspace->left[i] = ((double)body->mass[i] + h * body_drag(body, i)) *
+                             (workspace->start[i] - workspace->u[i]);
+    pull_springs(body, h * h, workspace->u, workspace->left);
 
     double sum = 0;
     for (int i = 0; i < body->count; i++) {
         if (body->inverse_mass[i] <= 0)
-            room->left[i] = (double4){0, 0, 0, 0};
-        double4 all = room->left[i];
-        if (room->swell && body->inverse_mass[i] > 0)
+            workspace->left[i] = (double4){0, 0, 0, 0};
+        double4 all = workspace->left[i];
+        if (workspace->swell && body->inverse_mass[i] > 0)
             all += h * h * pressure * to_double4(body->inflation.gradient[i]);
-        sum += (double)room->predict.weight[i] * ddot(all, all);
+        sum += (double)workspace->predict.weight[i] * ddot(all, all);
     }
     return sqrt(sum);
 }
 
 /// out = A^-1 right
-static bool solve(Room* room, const double4* right, double4* out, int count) {
-    double* b = factor_right(room->factor);
+static bool solve(Workspace* workspace, const double4* right, double4* out, int count) {
+    double* b = factor_right(workspace->factor);
     for (int i = 0; i < count; i++)
         for (int c = 0; c < 3; c++)
             b[c * count + i] = right[i][c];
-    const double* x = factor_solve(room->factor);
+    const double* x = factor_solve(workspace->factor);
     for (int i = 0; x && i < count; i++)
         out[i] = (double4){x[i], x[count + i], x[2 * count + i], 0};
     return x != NULL;
@@ -133,68 +133,68 @@ static double along_gradient(const Body* body, const double4* d) {
 }
 
 /// z and g . z
-static bool ready_gas(const Body* body, Room* room) {
+static bool ready_gas(const Body* body, Workspace* workspace) {
     for (int i = 0; i < body->count; i++)
-        room->left[i] = body->inverse_mass[i] > 0 ? to_double4(body->inflation.gradient[i])
-                                                  : (double4){0, 0, 0, 0};
-    if (!solve(room, room->left, room->swell, body->count))
+        workspace->left[i] = body->inverse_mass[i] > 0 ? to_double4(body->inflation.gradient[i])
+                                                       : (double4){0, 0, 0, 0};
+    if (!solve(workspace, workspace->left, workspace->swell, body->count))
         return false;
-    room->weight = along_gradient(body, room->swell);
+    workspace->weight = along_gradient(body, workspace->swell);
     return true;
 }
 
 /// Volume at u, from the state's own precision.
-static double volume_at(const Body* body, Room* room) {
+static double volume_at(const Body* body, Workspace* workspace) {
     for (int i = 0; i < body->count; i++)
-        room->predict.u[i] = to_real4(room->u[i]);
-    return predict_volume(&room->predict, body);
+        workspace->predict.u[i] = to_real4(workspace->u[i]);
+    return predict_volume(&workspace->predict, body);
 }
 
 /// u' = u + A^-1 (r + h^2 p(V') g)
-static bool improve(Body* body, Room* room, double h2) {
-    double4* change = room->left;
-    if (!solve(room, room->left, change, body->count))
+static bool improve(Body* body, Workspace* workspace, double h2) {
+    double4* change = workspace->left;
+    if (!solve(workspace, workspace->left, change, body->count))
         return false;
     double push = 0;
-    if (room->swell) {
+    if (workspace->swell) {
         const Inflation* gas = &body->inflation;
         const double ahead = gas->volume + along_gradient(body, change);
-        push = h2 * predict_pressure(gas, ahead, room->weight, h2, 0);
+        push = h2 * predict_pressure(gas, ahead, workspace->weight, h2, 0);
     }
     for (int i = 0; i < body->count; i++)
-        room->u[i] += room->swell ? change[i] + push * room->swell[i] : change[i];
+        workspace->u[i] += workspace->swell ? change[i] + push * workspace->swell[i] : change[i];
     return true;
 }
 
-static bool kick(Body* body, void* self, double h, Effort* effort) {
-    Room* room = self;
-    const Solver* solver = &room->solver;
-    *effort = (Effort){0};
-    if (!factor_take(room->factor, body, h, &effort->factored))
+static bool kick_body(Body* body, void* self, double h, SolveStats* stats) {
+    Workspace* workspace = self;
+    const Solver* solver = &workspace->solver;
+    *stats = (SolveStats){0};
+    if (!factor_take(workspace->factor, body, h, &stats->factored))
         return false;
-    predict_begin(&room->predict, body, h);
+    predict_begin(&workspace->predict, body, h);
     for (int i = 0; i < body->count; i++)
-        room->u[i] = room->start[i] = to_double4(room->predict.u[i]);
-    if (room->swell && !ready_gas(body, room))
+        workspace->u[i] = workspace->start[i] = to_double4(workspace->predict.u[i]);
+    if (workspace->swell && !ready_gas(body, workspace))
         return false;
 
-    for (double first = 0;; effort->iterations++) {
+    for (double first = 0;; stats->iterations++) {
         double pressure = 0;
-        if (room->swell) {
-            body->inflation.volume = volume_at(body, room);
+        if (workspace->swell) {
+            body->inflation.volume = volume_at(body, workspace);
             pressure = gas_pressure(&body->inflation, body->inflation.volume);
         }
-        const double size = residual(body, room, h, pressure);
+        const double size = residual(body, workspace, h, pressure);
         first = fmax(first, size);
-        effort->residual = first > 0 ? size / first : 0;
-        if (effort->iterations == solver->iterations || effort->residual <= solver->tolerance)
+        stats->residual = first > 0 ? size / first : 0;
+        if (stats->iterations == solver->iterations || stats->residual <= solver->tolerance)
             break;
-        if (!improve(body, room, h * h))
+        if (!improve(body, workspace, h * h))
             return false;
     }
     for (int i = 0; i < body->count; i++)
-        room->predict.u[i] = to_real4(room->u[i]);
-    predict_end(&room->predict, body, h);
+        workspace->predict.u[i] = to_real4(workspace->u[i]);
+    predict_end(&workspace->predict, body, h);
     return true;
 }
 
@@ -207,6 +207,7 @@ const Method method_projective = {
     .refuses = refuses,
     .open = open,
     .close = close,
-    .kick = kick,
+    .kick = system_kick,
+    .kick_body = kick_body,
     .drift = body_drift,
 };

@@ -38,28 +38,28 @@
 
 enum { ITERATIONS = 1 };
 
-typedef struct Room {
+typedef struct Workspace {
     int iterations;
     Predict predict;
     Batches springs;
     double gas; ///< L [kg/m]
-} Room;
+} Workspace;
 
 static void* open(Body* body, const Solver* solver) {
-    Room* room = new_array(Room, 1);
-    room->iterations = solver->iterations > 0 ? solver->iterations : ITERATIONS;
-    batches_make(&room->springs, &body->springs, body->count);
-    predict_open(&room->predict, body);
-    return room;
+    Workspace* workspace = new_array(Workspace, 1);
+    workspace->iterations = solver->iterations > 0 ? solver->iterations : ITERATIONS;
+    batches_make(&workspace->springs, &body->springs, body->count);
+    predict_open(&workspace->predict, body);
+    return workspace;
 }
 
 static void close(void* self) {
-    Room* room = self;
-    if (!room)
+    Workspace* workspace = self;
+    if (!workspace)
         return;
-    predict_close(&room->predict);
-    batches_free(&room->springs);
-    free(room);
+    predict_close(&workspace->predict);
+    batches_free(&workspace->springs);
+    free(workspace);
 }
 
 /// A string now, of Hooke's law: the direction in which its length grows, its pull over the
@@ -101,14 +101,14 @@ static void relax_strings(Body* body, const real* weight, real h2, real4* u) {
     }
 }
 
-static void relax_gas(Body* body, Room* room, double weight, double h2) {
+static void relax_gas(Body* body, Workspace* workspace, double weight, double h2) {
     Inflation* gas = &body->inflation;
-    gas->volume = predict_volume(&room->predict, body);
-    const double next = h2 * predict_pressure(gas, gas->volume, weight, h2, room->gas);
-    const real by = (real)(next - room->gas);
-    room->gas = next;
+    gas->volume = predict_volume(&workspace->predict, body);
+    const double next = h2 * predict_pressure(gas, gas->volume, weight, h2, workspace->gas);
+    const real by = (real)(next - workspace->gas);
+    workspace->gas = next;
     for (int i = 0; i < body->count; i++)
-        room->predict.u[i] += (room->predict.weight[i] * by) * gas->gradient[i];
+        workspace->predict.u[i] += (workspace->predict.weight[i] * by) * gas->gradient[i];
 }
 
 /// |dV/dx|^2_w
@@ -121,25 +121,25 @@ static double gas_weight(const Body* body, const real* weight) {
     return sum;
 }
 
-static bool kick(Body* body, void* self, double h, Effort* effort) {
-    Room* room = self;
-    Predict* predict = &room->predict;
+static bool kick_body(Body* body, void* self, double h, SolveStats* stats) {
+    Workspace* workspace = self;
+    Predict* predict = &workspace->predict;
     const bool gas = body->inflation.law == INFLATE_GAS;
     const double h2 = h * h;
-    *effort = (Effort){.iterations = room->iterations};
+    *stats = (SolveStats){.iterations = workspace->iterations};
 
     predict_begin(predict, body, h);
-    batches_begin(&room->springs, &body->springs, predict->weight, (real)h2);
+    batches_begin(&workspace->springs, &body->springs, predict->weight, (real)h2);
     for (int k = 0; k < body->string_count; k++)
         body->string[k].impulse = (real4){0, 0, 0, 0};
-    room->gas = 0;
+    workspace->gas = 0;
     const double gas_behind = gas ? gas_weight(body, predict->weight) : 0;
 
-    for (int n = 0; n < room->iterations; n++) {
-        batches_relax(&room->springs, body->springs.law, body->x, predict->u);
+    for (int n = 0; n < workspace->iterations; n++) {
+        batches_relax(&workspace->springs, body->springs.law, body->x, predict->u);
         relax_strings(body, predict->weight, (real)h2, predict->u);
         if (gas)
-            relax_gas(body, room, gas_behind, h2);
+            relax_gas(body, workspace, gas_behind, h2);
     }
     predict_end(predict, body, h);
     return true;
@@ -153,6 +153,7 @@ const Method method_xpbd = {
     .refuses = predict_refuses,
     .open = open,
     .close = close,
-    .kick = kick,
+    .kick = system_kick,
+    .kick_body = kick_body,
     .drift = body_drift,
 };

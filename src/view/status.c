@@ -61,9 +61,9 @@ static void balloon_row(Overlay* overlay, const World* world, int b) {
         used += (size_t)snprintf(text + used, sizeof text - used, ", volume x %.3g",
                                  measure_volume(&balloon->mesh, balloon->body.x) /
                                      inflation->first_volume);
-    if (balloon->correct.on)
+    if (balloon->strain_limit.on)
         snprintf(text + used, sizeof text - used, "%s%d springs corrected", used ? ", " : "",
-                 balloon->correct.corrected);
+                 balloon->strain_limit.corrected);
 
     char label[32];
     snprintf(label, sizeof label, "balloon %d", b);

@@ -165,7 +165,7 @@ static void take_membrane(Body* body, const MembraneDef* def) {
 
 static void take_correction(Balloon* balloon) {
     const CorrectionDef* def = balloon->def->correction;
-    StrainLimit* correct = &balloon->correct;
+    StrainLimit* correct = &balloon->strain_limit;
     if (def) {
         correct->threshold[STRUCTURAL] = def->structural;
         correct->threshold[SHEAR] = def->shear;
@@ -205,10 +205,10 @@ static void make(Balloon* balloon, const WorldDef* world) {
         body->damping = (Damping){def->damping->coefficient, def->damping->rate};
     take_strings(balloon, world);
     take_correction(balloon);
-    volume_constraint_open(&balloon->preserve, body);
+    volume_constraint_open(&balloon->volume_constraint, body);
     if (balloon->method->open) {
         const SolverDef* solver = &world->solver;
-        balloon->room = balloon->method->open(
+        balloon->workspace = balloon->method->open(
             body, &(Solver){.iterations = (int)solver->iterations,
                             .tolerance = solver->fixed ? -1 : solver->tolerance,
                             .linear_tolerance = solver->linear_tolerance,
@@ -251,7 +251,7 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, i
     make(balloon, def);
     balloon->good_x = new_array(real4, balloon->body.count);
     balloon->good_v = new_array(real4, balloon->body.count);
-    balloon->last_v = new_array(real4, balloon->body.count);
+    balloon->v_start = new_array(real4, balloon->body.count);
     balloon->good_thickness = new_array(real, balloon->body.membrane.count);
 
     const char* why = method->refuses ? method->refuses(&balloon->body) : NULL;
@@ -264,10 +264,10 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, i
 /// What make() made.
 static void unmake(Balloon* balloon) {
     if (balloon->method->close)
-        balloon->method->close(balloon->room);
-    balloon->room = NULL;
-    volume_constraint_close(&balloon->preserve);
-    strain_limit_free(&balloon->correct);
+        balloon->method->close(balloon->workspace);
+    balloon->workspace = NULL;
+    volume_constraint_close(&balloon->volume_constraint);
+    strain_limit_free(&balloon->strain_limit);
     body_free(&balloon->body);
 }
 
@@ -335,7 +335,7 @@ void balloon_close(Balloon* balloon) {
     mesh_free(&balloon->mesh);
     free(balloon->good_x);
     free(balloon->good_v);
-    free(balloon->last_v);
+    free(balloon->v_start);
     free(balloon->good_thickness);
     *balloon = (Balloon){0};
 }

@@ -12,12 +12,11 @@ typedef struct Balloon {
     const BalloonDef* def;
     Mesh mesh;
     Body body;
-    StrainLimit correct;
-    VolumeConstraint preserve;
+    StrainLimit strain_limit;
+    VolumeConstraint volume_constraint;
     const Method* method;
-    void* room;           ///< the method's, for this body
-    Effort effort;        ///< of the last kick
-    bool solved;          ///< it was
+    void* workspace;      ///< the method's, for this body
+    SolveStats stats;     ///< of the last kick
     float color[3];       ///< sRGB 0…1
     double given;         ///< amount that the scene gives
     double hand;          ///< amount that the keys have added
@@ -30,7 +29,7 @@ typedef struct Balloon {
     real4* good_v;        ///< [count] last good velocities
     real* good_thickness; ///< [elements] last good thicknesses
     double slept_with;    ///< amount when it fell asleep
-    real4* last_v;        ///< [count] before the kick, where it may have to be taken back
+    real4* v_start;       ///< [count] before the kick, where it may have to be taken back
 } Balloon;
 
 /// Load the model of balloon `number` and make everything that its def lists.

@@ -34,15 +34,15 @@ static void select_next(World* world) {
 static void correction(World* world) {
     for (int b = first(world); b < last(world); b++) {
         Balloon* balloon = &world->balloon[b];
-        strain_limit_switch(&balloon->correct, &balloon->body, !balloon->correct.on);
+        strain_limit_switch(&balloon->strain_limit, &balloon->body, !balloon->strain_limit.on);
     }
 }
 
 static void tarantino(World* world) {
     for (int b = first(world); b < last(world); b++) {
         Balloon* balloon = &world->balloon[b];
-        balloon->correct.tarantino = !balloon->correct.tarantino;
-        strain_limit_switch(&balloon->correct, &balloon->body, true);
+        balloon->strain_limit.tarantino = !balloon->strain_limit.tarantino;
+        strain_limit_switch(&balloon->strain_limit, &balloon->body, true);
     }
 }
 

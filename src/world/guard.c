@@ -176,8 +176,8 @@ void guard_check(World* world) {
             halt_without_room(world, b);
             return;
         }
-        if (balloon->preserve.inverted != NONE) {
-            halt_inverted(world, b, balloon->preserve.inverted);
+        if (balloon->volume_constraint.inverted != NONE) {
+            halt_inverted(world, b, balloon->volume_constraint.inverted);
             return;
         }
         const int bad = bad_particle(&balloon->body, h);

@@ -152,9 +152,9 @@ static double vz(SUBJECT) { return sphere_component(s, true, 2); }
 
 #define BALLOON const Balloon* b
 static double amount(BALLOON) { return b->body.inflation.amount; }
-static double iterations(BALLOON) { return b->effort.iterations; }
-static double products(BALLOON) { return b->effort.products; }
-static double residual(BALLOON) { return b->effort.residual; }
+static double iterations(BALLOON) { return b->stats.iterations; }
+static double products(BALLOON) { return b->stats.products; }
+static double residual(BALLOON) { return b->stats.residual; }
 static double px(BALLOON) { return momentum(&b->body)[0]; }
 static double py(BALLOON) { return momentum(&b->body)[1]; }
 static double pz(BALLOON) { return momentum(&b->body)[2]; }

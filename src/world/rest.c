@@ -32,8 +32,8 @@ static void sleep(Balloon* balloon) {
     Body* body = &balloon->body;
     body->asleep = true;
     memset(body->v, 0, (size_t)body->count * sizeof *body->v);
-    memset(balloon->last_v, 0, (size_t)body->count * sizeof *balloon->last_v);
-    balloon->effort = (Effort){0};
+    memset(balloon->v_start, 0, (size_t)body->count * sizeof *balloon->v_start);
+    balloon->stats = (SolveStats){0};
     balloon->slept_with = body->inflation.amount;
 }
 

@@ -17,7 +17,7 @@ enum { PARTS_MOST = 4096 };  ///< of a step; what is left of it then is dropped:
 static const double rounding = 1e-12;
 
 /// Floor, walls, and the balls that are there from the start.
-static void open_collide(World* world) {
+static void open_contacts(World* world) {
     const WorldDef* def = &world->def;
     Plane* plane = new_array(Plane, def->walls_count + 1);
     int planes = 0;
@@ -29,17 +29,10 @@ static void open_collide(World* world) {
         plane[planes++] =
             (Plane){.point = {at[0], at[1], at[2], 0}, .normal = normal / dlength(normal)};
     }
-    Body** body = new_array(Body*, world->balloon_count);
-    const real4** before = new_array(const real4*, world->balloon_count);
-    for (int b = 0; b < world->balloon_count; b++) {
-        body[b] = &world->balloon[b].body;
-        before[b] = world->balloon[b].last_v;
-    }
-    contacts_open(&world->contacts, def->contact, scene_gravity(def), plane, planes, body, before,
+    contacts_open(&world->contacts, def->contact, scene_gravity(def), plane, planes,
+                  world->system.body, (const real4* const*)world->system.v_start,
                   world->balloon_count);
     free(plane);
-    free(body);
-    free(before);
 
     for (unsigned s = 0; s < def->spheres_count; s++) {
         const SphereDef* ball = &def->spheres[s];
@@ -51,8 +44,23 @@ static void open_collide(World* world) {
     }
 }
 
+/// The balloons as the system that the method steps.
+static void open_system(World* world) {
+    System* system = &world->system;
+    system_open(system, world->balloon_count);
+    for (int b = 0; b < world->balloon_count; b++) {
+        Balloon* balloon = &world->balloon[b];
+        system->body[b] = &balloon->body;
+        system->strain_limit[b] = &balloon->strain_limit;
+        system->workspace[b] = balloon->workspace;
+        system->stats[b] = &balloon->stats;
+        system->v_start[b] = balloon->v_start;
+    }
+}
+
 static void begin(World* world) {
-    open_collide(world);
+    open_system(world);
+    open_contacts(world);
     world->step_count = 0;
     world->selected = ALL_BALLOONS;
     world->held = 0;
@@ -84,6 +92,7 @@ bool world_open(World* world, WorldDef* def, Fault* fault) {
 
 void world_reset(World* world) {
     contacts_close(&world->contacts);
+    system_close(&world->system);
     for (int b = 0; b < world->balloon_count; b++)
         balloon_reset(&world->balloon[b], &world->def);
     begin(world);
@@ -123,96 +132,64 @@ static void flow(World* world, double h) {
     }
 }
 
-/// A part of a step that each balloon takes by itself.
-typedef struct Pass {
-    World* world;
-    double h;
-} Pass;
-
-/// Threads share the balloons where there are enough of them, else each balloon's own parts.
-static void for_each(World* world, void (*part)(void* pass, int balloon), double h) {
-    Pass pass = {world, h};
-    if (world->balloon_count >= 2 * crew_threads())
-        crew_run(part, &pass, world->balloon_count);
-    else
-        for (int b = 0; b < world->balloon_count; b++)
-            part(&pass, b);
-}
-
-static void kick_balloon(void* self, int b) {
-    const Pass* pass = self;
-    const World* world = pass->world;
-    Balloon* balloon = &world->balloon[b];
-    balloon->solved = true;
-    if (balloon->body.asleep)
-        return;
-    // velocities before: for what cannot be solved, and for contacts
-    if (world->method->can_fail || world->contacts.sphere_count > 0)
-        memcpy(balloon->last_v, balloon->body.v, (size_t)balloon->body.count * sizeof(real4));
-    balloon->solved = world->method->kick(&balloon->body, balloon->room, pass->h, &balloon->effort);
-}
-
 static void say_factored(World* world, double h) {
     for (int b = 0; b < world->balloon_count; b++)
-        if (!world->balloon[b].body.asleep && world->balloon[b].effort.factored)
+        if (!world->balloon[b].body.asleep && world->balloon[b].stats.factored)
             snprintf(world->notice, sizeof world->notice,
                      "balloon %d (%s): method '%s' factored its matrix for steps of %.3g s", b,
                      world->balloon[b].def->model, world->method->name, h);
 }
 
-/// Kick every balloon by h. Where a method could not solve its step, none is kicked, and that is
-/// returned.
-static int kick(World* world, double h) {
-    for_each(world, kick_balloon, h);
-    say_factored(world, h);
-    int bad = 0;
-    while (bad < world->balloon_count && world->balloon[bad].solved)
-        bad++;
-    if (bad == world->balloon_count)
-        return NONE;
-    for (int b = 0; b < world->balloon_count; b++)
-        if (!world->balloon[b].body.asleep)
-            memcpy(world->balloon[b].body.v, world->balloon[b].last_v,
-                   (size_t)world->balloon[b].body.count * sizeof(real4));
-    return bad;
-}
-
-static void correct_balloon(void* self, int b) {
-    const Pass* pass = self;
-    Balloon* balloon = &pass->world->balloon[b];
-    if (!balloon->body.asleep)
-        strain_limit_velocity(&balloon->correct, &balloon->body, pass->h);
-}
+/// What the tasks of a drift share.
+typedef struct Drift {
+    World* world;
+    double h;
+} Drift;
 
 static void drift_balloon(void* self, int b) {
-    const Pass* pass = self;
-    Balloon* balloon = &pass->world->balloon[b];
+    const Drift* drift = self;
+    Balloon* balloon = &drift->world->balloon[b];
     if (balloon->body.asleep)
         return;
-    pass->world->method->drift(&balloon->body, pass->h);
-    volume_constraint_volume(&balloon->preserve, &balloon->body, pass->h);
+    drift->world->method->drift(&balloon->body, drift->h);
+    volume_constraint_volume(&balloon->volume_constraint, &balloon->body, drift->h);
 }
 
-/// As long as h, in one part, or in several where balls are near or a method cannot solve the
-/// whole: kick, correction and contacts have their say on the velocities, then everything drifts.
-static void advance(World* world, double h) {
-    const double whole = h, shortest = h / SPLITS_MOST;
-    for (int parts = 0; h > whole * rounding && parts < PARTS_MOST; parts++) {
-        double pace = contacts_pace(&world->contacts, fmin(h, world->solvable * whole));
-        for (int bad; (bad = kick(world, pace)) != NONE; pace /= 2) {
-            if (pace < shortest) {
-                guard_unsolved(world, bad, pace);
-                return;
-            }
-            world->solvable = pace / 2 / whole;
+static void drift(World* world, double h) {
+    contacts_drift(&world->contacts, h);
+    system_for_each(&world->system, drift_balloon, &(Drift){world, h});
+    contacts_penalty(&world->contacts, h);
+    world->drift = h;
+}
+
+/// Kick by h, or by a half, a quarter … of it where the method cannot solve more; returns the length
+/// of the drift, 0 where it cannot solve the shortest substep.
+static double kick(World* world, double h, double whole) {
+    double length;
+    while (!world->method->kick(world->method, &world->system, &world->contacts, h, &length)) {
+        say_factored(world, h);
+        if (h < whole / SPLITS_MOST) {
+            guard_unsolved(world, world->system.unsolved, h);
+            return 0;
         }
-        for_each(world, correct_balloon, pace);
-        const double drift = contacts_velocities(&world->contacts, pace);
-        contacts_drift(&world->contacts, drift);
-        for_each(world, drift_balloon, drift);
-        contacts_penalty(&world->contacts, drift);
-        world->drift = drift;
-        h -= drift;
+        h /= 2;
+        world->solvable = h / whole;
+    }
+    say_factored(world, h);
+    return length;
+}
+
+/// As long as h, in one substep, or in several where balls are near or a method cannot solve the
+/// whole: a safe length, kick, drift.
+static void advance(World* world, double h) {
+    const double whole = h;
+    for (int parts = 0; h > whole * rounding && parts < PARTS_MOST; parts++) {
+        const double safe = contacts_pace(&world->contacts, fmin(h, world->solvable * whole));
+        const double length = kick(world, safe, whole);
+        if (world->blowup.halted)
+            return;
+        drift(world, length);
+        h -= length;
     }
     world->solvable = fmin(1, 2 * world->solvable);
     if (h > whole * rounding)
@@ -270,6 +247,7 @@ uint64_t world_hash(const World* world) {
 
 void world_close(World* world) {
     contacts_close(&world->contacts);
+    system_close(&world->system);
     for (int b = 0; b < world->balloon_count; b++)
         balloon_close(&world->balloon[b]);
     free(world->balloon);

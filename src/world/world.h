@@ -29,6 +29,7 @@ typedef struct World {
     const Method* method;
     Balloon* balloon; ///< [balloon_count]
     int balloon_count;
+    System system;     ///< the balloons' bodies, as the method steps them
     Contacts contacts; ///< balls, floor, walls
     double step;       ///< h [s]
     long step_count;   ///< steps since the start or the last reset

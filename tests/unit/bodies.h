@@ -43,16 +43,26 @@ static inline void rubber_on(Body* body, const Material* material, double thickn
     free(h);
 }
 
-/// Steps of a method, each a kick and a drift.
+/// Steps of a method, each a kick and a drift, of a system of one body that nothing touches.
 static inline void steps_of(const Method* method, Body* body, const Solver* solver, double h,
                             int count) {
-    void* room = method->open ? method->open(body, solver) : NULL;
+    System system;
+    Contacts contacts = {.law = CONTACT_IMPULSE};
+    SolveStats stats;
+    system_open(&system, 1);
+    system.body[0] = body;
+    system.workspace[0] = method->open ? method->open(body, solver) : NULL;
+    system.stats[0] = &stats;
+    system.v_start[0] = new_array(real4, body->count);
     for (int n = 0; n < count; n++) {
-        assert_true(method->kick(body, room, h, &(Effort){0}));
-        method->drift(body, h);
+        double drift;
+        assert_true(method->kick(method, &system, &contacts, h, &drift));
+        method->drift(body, drift);
     }
+    free(system.v_start[0]);
     if (method->close)
-        method->close(room);
+        method->close(system.workspace[0]);
+    system_close(&system);
 }
 
 /// Every particle moved by up to `by` in each direction, the same every time.

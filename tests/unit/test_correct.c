@@ -128,7 +128,7 @@ static double blown_stretch(bool on) {
     body.damping.coefficient = 0.05;
     strain_limit_switch(&correct, &body, on);
     for (int n = 0; n < 3000; n++) {
-        method_euler.kick(&body, NULL, 1e-3, &(Effort){0});
+        method_euler.kick_body(&body, NULL, 1e-3, &(SolveStats){0});
         strain_limit_velocity(&correct, &body, 1e-3);
         body_drift(&body, 1e-3);
     }

@@ -59,6 +59,45 @@ static void damped_spring_s_error_halves_with_the_step(void** state) {
     }
 }
 
+/// A chain that falls on a floor within the step: the velocities that a kick returns stop at it.
+static void a_kick_ends_with_velocities_that_respect_contacts(void** state) {
+    (void)state;
+    const double h = 1e-2, height = 1e-4;
+    for (int m = 0; m < method_count; m++) {
+        Body body;
+        chain_of(&body, (double[]){0, 1}, 2, paper_mass, 1);
+        System system;
+        Contacts contacts;
+        SolveStats stats;
+        const Plane floor = {.point = {0, -height, 0, 0}, .normal = {0, 1, 0, 0}};
+        system_open(&system, 1);
+        system.body[0] = &body;
+        system.workspace[0] =
+            method_table[m]->open ? method_table[m]->open(&body, &thorough) : NULL;
+        system.stats[0] = &stats;
+        system.v_start[0] = new_array(real4, body.count);
+        contacts_open(&contacts, CONTACT_IMPULSE, 0, &floor, 1, system.body,
+                      (const real4* const*)system.v_start, 1);
+        body.v[0][1] = -1; // 100 times the height in this step
+        double drift;
+        assert_true(method_table[m]->kick(method_table[m], &system, &contacts, h, &drift));
+        assert_near(drift, h, 0);
+        assert_near(body.v[0][1], -height / h, TOLERANCE(1e-6, 1e-12));
+
+        body.asleep = true; // and one that is asleep is left alone
+        body.v[0][1] = -1;
+        assert_true(method_table[m]->kick(method_table[m], &system, &contacts, h, &drift));
+        assert_near(body.v[0][1], -1, 0);
+
+        contacts_close(&contacts);
+        free(system.v_start[0]);
+        if (method_table[m]->close)
+            method_table[m]->close(system.workspace[0]);
+        system_close(&system);
+        body_free(&body);
+    }
+}
+
 /// Springs and pressure alone move no middle of mass.
 static void free_balloon_keeps_its_linear_momentum(void** state) {
     (void)state;
@@ -234,6 +273,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_fall_is_off_by_half_a_step),
         cmocka_unit_test(damped_spring_s_error_halves_with_the_step),
+        cmocka_unit_test(a_kick_ends_with_velocities_that_respect_contacts),
         cmocka_unit_test(free_balloon_keeps_its_linear_momentum),
         cmocka_unit_test(converged_constraints_are_backward_euler),
         cmocka_unit_test(pressure_of_constraints_is_near_backward_euler_s),

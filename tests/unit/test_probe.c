@@ -118,7 +118,7 @@ static void only_methods_that_iterate_report_iterations(void** state) {
         for (int k = 0; k < 3; k++)
             assert_int_equal(strstr(text, column[k]) != NULL, method_table[m]->iterates);
         world_step(&world);
-        assert_int_equal(world.balloon[0].effort.iterations > 0, method_table[m]->iterates);
+        assert_int_equal(world.balloon[0].stats.iterations > 0, method_table[m]->iterates);
         world_close(&world);
     }
 }

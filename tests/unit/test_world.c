@@ -56,7 +56,7 @@ static void step_allocates_nothing(void** state) {
         for (int n = 0; n < 100; n++) {
             const int before = asked;
             world_step(&world);
-            if (world.balloon[0].effort.factored)
+            if (world.balloon[0].stats.factored)
                 factored++;
             else
                 assert_int_equal(asked, before);
@@ -222,7 +222,7 @@ static void what_a_scene_does_not_name_is_not_there(void** state) {
     assert_int_equal(body->torsion.count, 0);
     assert_null(body->torsion.path);
     assert_null(body->string);
-    assert_null(world.balloon[0].correct.ahead);
+    assert_null(world.balloon[0].strain_limit.ahead);
     double value;
     assert_true(probe_value(&world, "balloon0.volume", &value));
     assert_false(probe_value(&world, "balloon0.lift", &value));

@@ -93,8 +93,8 @@ static double timed_step(World* world) {
         const double pace = contacts_pace(&world->contacts, h);
         contacts += now() - start;
 
-        memcpy(world->balloon[0].last_v, body->v, (size_t)body->count * sizeof(real4));
-        world->method->kick(body, world->balloon[0].room, pace, &world->balloon[0].effort);
+        memcpy(world->balloon[0].v_start, body->v, (size_t)body->count * sizeof(real4));
+        world->method->kick_body(body, world->balloon[0].workspace, pace, &world->balloon[0].stats);
 
         start = now();
         const double drift = contacts_velocities(&world->contacts, pace);

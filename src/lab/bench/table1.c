@@ -68,8 +68,8 @@ static void play(World* world, int frames, Sum* sum) {
         const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
         world_step(world);
         sum->ms[sum->frames] = 1e3 * (clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start);
-        sum->iterations += balloon->effort.iterations;
-        sum->products += balloon->effort.products;
+        sum->iterations += balloon->stats.iterations;
+        sum->products += balloon->stats.products;
         const VolumeRatio ratio = membrane_volume_ratio(&balloon->body.membrane, balloon->body.x);
         sum->volume = farther(ratio.sum, sum->volume);
         sum->worst = farther(ratio.worst, sum->worst);

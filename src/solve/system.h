@@ -1,0 +1,48 @@
+/// A system: all bodies that one method steps, and what a kick needs of each.
+///
+/// A method's kick ends with velocities that respect strain limits and contacts. A method that
+/// steps each body by itself takes `system_kick`; one that has contacts inside its solve brings its
+/// own. Bodies that are asleep are skipped.
+#ifndef BALLOON_SOLVE_SYSTEM_H
+#define BALLOON_SOLVE_SYSTEM_H
+
+#include "constraint/strain_limit.h"
+#include "contact/contacts.h"
+
+/// What the last solve took.
+typedef struct SolveStats {
+    int iterations;
+    int products;    ///< Hessian-vector products
+    double residual; ///< of the step's equation, relative [1]
+    int factored;    ///< matrices factored: the only thing for which a kick may allocate
+} SolveStats;
+
+/// Arrays are the system's, what they point to is the caller's.
+typedef struct System {
+    int body_count;
+    Body** body;                ///< [body_count]
+    StrainLimit** strain_limit; ///< [body_count] NULL: none
+    void** workspace;           ///< [body_count] the method's, for that body
+    SolveStats** stats;         ///< [body_count] of the last kick
+    real4** v_start;            ///< [body_count][count] velocities before the last kick [m/s]
+    bool* solved;               ///< [body_count] by the last kick
+    int unsolved;               ///< first body whose step the last kick did not solve, or NONE
+} System;
+
+/// For body_count bodies, whose pointers the caller fills in.
+void system_open(System* system, int body_count);
+
+/// Call task(self, 0) … task(self, body_count - 1). Threads share the bodies where there are enough
+/// of them; else the bodies come one after the other, and threads share each one's loops.
+void system_for_each(const System* system, void (*task)(void* self, int body), void* self);
+
+struct Method;
+
+/// Kick each body by itself with method->kick_body, limit strains, then apply contacts. See
+/// Method.kick.
+bool system_kick(const struct Method* method, System* system, Contacts* contacts, double h,
+                 double* drift);
+
+void system_close(System* system);
+
+#endif
