@@ -1,7 +1,11 @@
 #include "solve/method.h"
 
+#include <stdio.h>
+
+#include "base/fault.h"
 #include "base/table.h"
-#include "force/force.h"
+
+enum { FORCES_MAX = 32 };
 
 const char* const step_start_name[STEP_STARTS] = {"inertia", "rest"};
 
@@ -16,6 +20,27 @@ const Method* method_find(const char* name) {
 const char* method_names(void) {
     static char names[256];
     return table_names(method_table, method_count, names, sizeof names);
+}
+
+bool method_takes(const Method* method, const Force* force) {
+    if (!method->takes)
+        return true;
+    const ForceUse* use = method->takes;
+    while (use->force && use->force != force)
+        use++;
+    return use->force != NULL;
+}
+
+const char* method_refuses(const Method* method, const Body* body) {
+    static char sentence[FORCES_MAX][64]; // the same for every method
+    for (int k = 0; k < force_count; k++) {
+        if (!force_table[k]->present(body) || method_takes(method, force_table[k]))
+            continue;
+        ASSERT(k < FORCES_MAX, "there is a sentence for each force");
+        snprintf(sentence[k], sizeof sentence[k], "takes no force '%s'", force_table[k]->name);
+        return sentence[k];
+    }
+    return method->refuses ? method->refuses(body) : NULL;
 }
 
 double method_limit(const Method* method, double w2, double gamma) {

@@ -11,6 +11,7 @@
 #ifndef BALLOON_SOLVE_METHOD_H
 #define BALLOON_SOLVE_METHOD_H
 
+#include "force/force.h"
 #include "solve/system.h"
 
 /// First guess of an implicit step.
@@ -31,6 +32,14 @@ typedef struct Solver {
     bool in_place; ///< euler: each particle moves before the next one's force is computed
 } Solver;
 
+/// A force that a method takes.
+typedef struct ForceUse {
+    const Force* force;
+    bool (*replaced)(
+        const Body* body); ///< whether the method has its own form of it for this body;
+                           ///< NULL: never, it is evaluated by its row
+} ForceUse;
+
 typedef struct Method {
     const char* name;
     const char* about;
@@ -38,7 +47,11 @@ typedef struct Method {
     bool iterates; ///< it has iterations, products and a residual to report
     bool can_fail; ///< its kick may return false
 
-    /// Why this method cannot step this body, or NULL if it can.
+    /// The forces that it takes, up to one that is NULL; a body with another is refused. NULL: all,
+    /// through the force table.
+    const ForceUse* takes;
+
+    /// Why else this method cannot step this body, or NULL if it can. method_refuses asks both.
     const char* (*refuses)(const Body* body);
 
     /// The workspace for a body's steps; NULL members: none is needed. A kick allocates nothing,
@@ -74,6 +87,12 @@ const Method* method_find(const char* name);
 
 /// Names of all methods, "euler, …", for sentences.
 const char* method_names(void);
+
+/// Whether the method takes this force.
+bool method_takes(const Method* method, const Force* force);
+
+/// Why the method cannot step this body, "takes no force 'membrane'", or NULL if it can.
+const char* method_refuses(const Method* method, const Body* body);
 
 /// The row's limit; INFINITY for an implicit method.
 double method_limit(const Method* method, double w2, double gamma);

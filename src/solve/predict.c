@@ -12,13 +12,22 @@ enum { ROOT_MOST = 100 };
 /// Of the first volume, where a search for a volume begins if there is less. [1]
 static const double least_volume = 1e-6;
 
-const char* predict_refuses(const Body* body) {
-    if (body->membrane.count > 0)
-        return "takes skins of springs, no membrane";
-    if (body->torsion.count > 0)
-        return "takes no torsion springs";
-    return NULL;
+static bool always(const Body* body) {
+    (void)body;
+    return true;
 }
+
+static bool has_gas(const Body* body) {
+    return body->inflation.law == INFLATE_GAS;
+}
+
+/// Springs, strings and gas are constraints, drag is in the mass; the rest is explicit at x + u0.
+const ForceUse predict_forces[] = {
+    {&force_gravity, NULL},   {&force_helium, NULL},
+    {&force_lift, NULL},      {&force_inflation, has_gas},
+    {&force_springs, always}, {&force_strings, always},
+    {&force_damping, always}, {NULL, NULL},
+};
 
 void predict_open(Predict* predict, const Body* body) {
     *predict = (Predict){
@@ -28,14 +37,11 @@ void predict_open(Predict* predict, const Body* body) {
     };
 }
 
-static bool has_gas(const Body* body) {
-    return body->inflation.law == INFLATE_GAS;
-}
-
-/// Constraints, and what is in the mass.
-static bool is_within(const Body* body, const Force* force) {
-    return force == &force_springs || force == &force_strings || force == &force_damping ||
-           (force == &force_inflation && has_gas(body));
+static bool is_replaced(const Force* force, const Body* body) {
+    const ForceUse* use = predict_forces;
+    while (use->force && use->force != force)
+        use++;
+    return use->force && use->replaced && use->replaced(body);
 }
 
 /// Where it would go by itself; where it is, if that would turn it inside out.
@@ -58,8 +64,8 @@ void predict_begin(Predict* predict, Body* body, double h) {
     real4* const x = body->x;
     body->x = predict->ahead;
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
-    for (int k = 0; k < force_count; k++)
-        if (force_table[k]->present(body) && !is_within(body, force_table[k]))
+    for (int k = 0; k < force_count; k++) // in the table's order, for the same bits
+        if (force_table[k]->present(body) && !is_replaced(force_table[k], body))
             force_add(force_table[k], body);
     if (has_gas(body))
         measure_volume_gradient(body->mesh, body->x, body->inflation.gradient);

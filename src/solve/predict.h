@@ -11,7 +11,7 @@
 #ifndef BALLOON_SOLVE_PREDICT_H
 #define BALLOON_SOLVE_PREDICT_H
 
-#include "body/body.h"
+#include "solve/method.h"
 
 typedef struct Predict {
     real4* u;     ///< [count] displacement of the step [m]
@@ -19,8 +19,8 @@ typedef struct Predict {
     real* weight; ///< [count] 1 / (m + h c), 0 where held [1/kg]
 } Predict;
 
-/// Why a method of constraints does not take this body, or NULL.
-const char* predict_refuses(const Body* body);
+/// The forces that the methods of constraints take.
+extern const ForceUse predict_forces[];
 
 void predict_open(Predict* predict, const Body* body);
 

@@ -37,7 +37,7 @@ typedef struct Workspace {
 static const char* refuses(const Body* body) {
     if (body->springs.count > 0 && body->springs.law != LAW_HOOKE)
         return "takes springs of Hooke's law only";
-    return predict_refuses(body);
+    return NULL;
 }
 
 static void* open(Body* body, const Solver* solver) {
@@ -204,6 +204,7 @@ const Method method_projective = {
     .implicit = true,
     .iterates = true,
     .can_fail = true,
+    .takes = predict_forces,
     .refuses = refuses,
     .open = open,
     .close = close,

@@ -254,7 +254,7 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, i
     balloon->v_start = new_array(real4, balloon->body.count);
     balloon->good_thickness = new_array(real, balloon->body.membrane.count);
 
-    const char* why = method->refuses ? method->refuses(&balloon->body) : NULL;
+    const char* why = method_refuses(method, &balloon->body);
     if (why)
         return fault_set(fault, def->file, "balloons.%d: method '%s' %s", number, method->name,
                          why);

@@ -15,7 +15,7 @@ for map in limit-springs limit-rubber; do
     ok "a picture of $map" test -s "$scratch/o/map-$map.svg" -a -s "$scratch/o/map-$map.png"
     ok "and what draws it again" env -C "$scratch/o" gnuplot "map-$map.gp"
 done
-ok "a panel without cells says why" grep -q "m eq 'xpbd' ? \"takes skins of springs, no membrane\"" \
+ok "a panel without cells says why" grep -q "m eq 'xpbd' ? \"takes no force 'membrane'\"" \
     "$scratch/o/map-limit-rubber.gp"
 
 # near its limit a stable mode of an undamped body beats by more than ten times (lab/stability/trial.c)

@@ -7,7 +7,7 @@
 static const Solver thorough = {.iterations = 100, .tolerance = 1e-12, .linear_tolerance = 1e-3};
 
 static bool takes(const Method* method, const Body* body) {
-    return !method->refuses || !method->refuses(body);
+    return !method_refuses(method, body);
 }
 
 /// Order 1 in its simplest form: after a time t every method is off g h t / 2, each to its side.
@@ -143,7 +143,7 @@ static const Inflation blown[INFLATION_LAWS] = {
 };
 
 static bool is_of_constraints(const Method* method) {
-    return method->refuses && method->implicit;
+    return method->takes && method->implicit;
 }
 
 /// Largest distance of a particle from where `newton` brings it, from a shaken skin on a taut
@@ -269,11 +269,60 @@ static void constraints_stopped_early_are_soft(void** state) {
     mesh_free(&mesh);
 }
 
+/// A stiff force that a method of constraints has no form of would be explicit, with no bound: a new
+/// row is refused until the method says that it takes it.
+static void a_force_unknown_to_a_method_of_constraints_is_refused(void** state) {
+    (void)state;
+    const Force new_force = {.name = "new", .bound = force_springs.bound};
+    for (int m = 0; m < method_count; m++) {
+        assert_int_equal(method_takes(method_table[m], &new_force),
+                         !is_of_constraints(method_table[m]));
+        for (int k = 0; k < force_count; k++) // a stiff one that is taken needs a form, or a limit
+            if (is_of_constraints(method_table[m]) && force_table[k]->assemble &&
+                force_table[k] != &force_inflation &&
+                method_takes(method_table[m], force_table[k])) {
+                const ForceUse* use = method_table[m]->takes;
+                while (use->force != force_table[k])
+                    use++;
+                assert_non_null(use->replaced);
+            }
+    }
+}
+
+/// Every force with every method: the body steps, or it is refused by a sentence that names the
+/// force.
+static void every_force_steps_or_is_refused_by_name(void** state) {
+    (void)state;
+    Mesh mesh;
+    mesh_of("cube-sphere:2", &mesh);
+    for (int m = 0; m < method_count; m++)
+        for (int rubber = 0; rubber < 2; rubber++) {
+            Body body;
+            body_of(&mesh, &body);
+            if (rubber)
+                rubber_on(&body, material_find("neo-hookean"), 1e-3, 1e6, 1000);
+            else
+                body_add_springs(&body, paper_springs, LAW_HOOKE);
+            if (!rubber)
+                body_add_torsion(&body, 1e-3);
+            const char* why = method_refuses(method_table[m], &body);
+            assert_int_equal(why != NULL, is_of_constraints(method_table[m]));
+            if (why)
+                assert_non_null(strstr(why, rubber ? "'membrane'" : "'torsion'"));
+            else
+                steps_of(method_table[m], &body, &thorough, 1e-6, 1);
+            body_free(&body);
+        }
+    mesh_free(&mesh);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(free_fall_is_off_by_half_a_step),
         cmocka_unit_test(damped_spring_s_error_halves_with_the_step),
         cmocka_unit_test(a_kick_ends_with_velocities_that_respect_contacts),
+        cmocka_unit_test(a_force_unknown_to_a_method_of_constraints_is_refused),
+        cmocka_unit_test(every_force_steps_or_is_refused_by_name),
         cmocka_unit_test(free_balloon_keeps_its_linear_momentum),
         cmocka_unit_test(converged_constraints_are_backward_euler),
         cmocka_unit_test(pressure_of_constraints_is_near_backward_euler_s),

@@ -165,7 +165,7 @@ static bool find_reference(Study* study, Fault* fault) {
 
 static bool is_refused(const Study* study, const Method* method) {
     for (int b = 0; b < study->world.balloon_count; b++)
-        if (method->refuses && method->refuses(&study->world.balloon[b].body))
+        if (method_refuses(method, &study->world.balloon[b].body))
             return true;
     return false;
 }

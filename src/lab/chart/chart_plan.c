@@ -141,7 +141,7 @@ static void add_point(ChartPlan* plan, const Dress* dress, const World* world, c
     snprintf(point->method, sizeof point->method, "%s", method ? method->name : chart_peer_name);
     snprintf(point->skin, sizeof point->skin, "%s", method ? skin : "links");
     snprintf(point->law, sizeof point->law, "%s", method ? law : "-");
-    if (method && method->refuses && method->refuses(&world->balloon[0].body))
+    if (method && method_refuses(method, &world->balloon[0].body))
         return;
 
     Launch launch = {.words = 0};

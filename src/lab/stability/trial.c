@@ -170,8 +170,8 @@ bool trial_open(Trial* trial, const char* scene, const SceneSet* set, int set_co
     *refused = NULL;
     bool good = load(&calm, scene, set, set_count, method_newton.name, fault) &&
                 world_open(&trial->calm, &calm, fault);
-    if (good && method->refuses)
-        *refused = method->refuses(&trial->calm.balloon[0].body);
+    if (good)
+        *refused = method_refuses(method, &trial->calm.balloon[0].body);
     good = good && !*refused && load(&def, scene, set, set_count, method->name, fault) &&
            world_open(&trial->world, &def, fault);
     bool ready = false;
