@@ -11,12 +11,12 @@
 # build/balloon has a state of float, build/balloon-double of double; both come from src/.
 
 # Debian 12's names; the only list of packages there is
-BUILD_PACKAGES := gcc g++ pkg-config libassimp-dev libcyaml-dev libyaml-dev libcglm-dev libimgui-dev \
+BUILD_PACKAGES := gcc g++ pkg-config libassimp-dev libyaml-dev libcglm-dev libimgui-dev \
     libglfw3-dev libegl-dev libopengl-dev libpng-dev libbullet-dev libsuitesparse-dev
 RUN_PACKAGES   := libegl1 libgl1 libgl1-mesa-dri ffmpeg gnuplot-nox
 TEST_PACKAGES  := libcmocka-dev xvfb xdotool imagemagick
 CHECK_PACKAGES := clang clang-format
-LIBRARIES      := assimp libcyaml yaml-0.1 cglm imgui glfw3 egl opengl libpng bullet bullet-float64 CHOLMOD
+LIBRARIES      := assimp yaml-0.1 cglm imgui glfw3 egl opengl libpng bullet bullet-float64 CHOLMOD
 
 BUILD    ?= build
 CC       := $(if $(filter default,$(origin CC)),gcc,$(CC))
@@ -36,7 +36,7 @@ includes  = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I imgui b
 # Bullet is one library for each precision; they do not mix
 bullet_float  = -lBulletSoftBody -lBulletDynamics -lBulletCollision -lLinearMath
 bullet_double = $(addsuffix -float64,$(bullet_float))
-libraries = -lassimp -lcyaml -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -lcholmod \
+libraries = -lassimp -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -lcholmod \
     -lsuitesparseconfig -lm -ldl -lpthread
 
 SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*/*.c src/*/*.cpp src/*/*/*.cpp))

@@ -29,7 +29,7 @@ declare -A may=(
 )
 # a library's folders, or the one file of a folder that may see it
 declare -A library=(
-    [assimp]="mesh" [cyaml]="scene" [yaml.h]="scene" [cglm]="view" [EGL]="draw" [GL/]="draw"
+    [assimp]="mesh" [yaml.h]="scene" [cglm]="view" [EGL]="draw" [GL/]="draw"
     [imgui]="hud" [GLFW]="show" [png.h]="show" [suitesparse]="solve/factor.c"
     [bt]="contact lab/peer/peer.cpp" [Bullet]="contact lab/peer/peer.cpp"
 )

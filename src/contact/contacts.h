@@ -16,15 +16,9 @@
 
 #include "contact/bullet.h"
 #include "contact/contact.h"
+#include "contact/contact_law.h"
 #include "contact/plane.h"
 #include "contact/warm.h"
-
-typedef enum ContactLaw {
-    CONTACT_IMPULSE, ///< momentum kept, nothing passes through
-    CONTACT_PAPER,   ///< the mass-spring paper's penalty (contact/paper.h)
-    CONTACT_LAWS
-} ContactLaw;
-extern const char* const contact_law_name[CONTACT_LAWS];
 
 /// A skin that balls can touch.
 typedef struct ContactSkin {

@@ -6,33 +6,19 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "scene/scene_find.h"
-#include "scene/scene_judge.h"
-#include "scene/scene_rules.h"
-#include "scene/scene_schema.h"
-#include "scene/scene_tree.h"
+#include "scene/find.h"
+#include "scene/validate.h"
+#include "scene/rules.h"
+#include "scene/tree.h"
 
-enum { SCENE_BYTES_MOST = 1 << 18 }; ///< [bytes] some hundred balloons
-
-// libcyaml's first error: later ones are its backtrace.
-static void keep_first(cyaml_log_t level, void* context, const char* format, va_list arguments) {
-    Fault* error = context;
-    (void)level;
-    if (!error->text[0])
-        vsnprintf(error->text, sizeof error->text, format, arguments);
-}
-
-static cyaml_config_t config(Fault* error) {
-    return (cyaml_config_t){
-        .log_fn = keep_first, .log_ctx = error, .mem_fn = cyaml_mem, .log_level = CYAML_LOG_ERROR};
-}
+enum { SCENE_BYTES_MAX = 1 << 18 }; ///< [bytes] some hundred balloons
 
 static bool read_stream(FILE* in, const char* path, char* text, size_t* size, Fault* fault) {
-    *size = fread(text, 1, SCENE_BYTES_MOST + 1, in);
+    *size = fread(text, 1, SCENE_BYTES_MAX + 1, in);
     if (ferror(in))
         return fault_set(fault, path, "it cannot be read: %s", strerror(errno));
-    if (*size > SCENE_BYTES_MOST)
-        return fault_set(fault, path, "a scene has at most %d bytes", SCENE_BYTES_MOST);
+    if (*size > SCENE_BYTES_MAX)
+        return fault_set(fault, path, "a scene has at most %d bytes", SCENE_BYTES_MAX);
     return true;
 }
 
@@ -40,7 +26,7 @@ static bool read_file(const char* path, char** text, size_t* size, Fault* fault)
     FILE* in = fopen(path, "rb");
     if (!in)
         return fault_set(fault, path, "it cannot be opened: %s", strerror(errno));
-    *text = new_array(char, SCENE_BYTES_MOST + 1);
+    *text = new_array(char, SCENE_BYTES_MAX + 1);
     const bool good = read_stream(in, path, *text, size, fault);
     fclose(in);
     return good;
@@ -69,24 +55,6 @@ static bool set_all(SceneTree* tree, int set_count, Fault* fault) {
     return true;
 }
 
-static bool fill(const SceneTree* tree, WorldDef* def, Fault* fault) {
-    size_t size;
-    Fault error = {0};
-    char* text = tree_text(tree, false, &size);
-    const cyaml_config_t how = config(&error);
-    const cyaml_err_t result =
-        cyaml_load_data((const uint8_t*)text, size, &how, scene_schema(), &def->loaded, NULL);
-    free(text);
-    if (result != CYAML_OK)
-        return fault_set(fault, tree->file, "%s: %s", cyaml_strerror(result), error.text);
-
-    void* loaded = def->loaded;
-    *def = *(WorldDef*)loaded;
-    def->loaded = loaded;
-    snprintf(def->file, sizeof def->file, "%s", tree->file);
-    return true;
-}
-
 // The whole way from a name to a def, in a locale in which numbers have a point. text: the scene as
 // it then is, or NULL.
 static bool load(const char* name, const SceneSet* set, int set_count, bool for_people, char** text,
@@ -97,8 +65,9 @@ static bool load(const char* name, const SceneSet* set, int set_count, bool for_
 
     SceneTree tree = {.file = source.file, .numbered = !source.model[0], .set = set};
     const bool good = read_tree(&source, &tree, fault) && set_all(&tree, set_count, fault) &&
-                      judge_scene(&tree, fault) && fill(&tree, def, fault) &&
-                      rules_hold(def, &tree, fault);
+                      validate_scene(&tree, def, fault) && rules_hold(def, &tree, fault);
+    if (good)
+        snprintf(def->file, sizeof def->file, "%s", tree.file);
     size_t size;
     if (good && text)
         *text = tree_text(&tree, for_people, &size);
@@ -134,8 +103,6 @@ char* scene_text(const char* name, const SceneSet* set, int set_count, bool for_
 }
 
 void scene_free(WorldDef* def) {
-    Fault unused = {0};
-    const cyaml_config_t how = config(&unused);
-    cyaml_free(&how, scene_schema(), def->loaded, 0);
+    pool_free(&def->pool);
     *def = (WorldDef){0};
 }

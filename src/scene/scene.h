@@ -23,7 +23,8 @@
 
 #include "base/fault.h"
 #include "body/body.h"
-#include "contact/contacts.h"
+#include "contact/contact_law.h"
+#include "scene/pool.h"
 #include "solve/method.h"
 
 /// What to do with a step above the stability bound (world/guard.h).
@@ -248,7 +249,7 @@ typedef struct WorldDef {
     unsigned balloons_count;
 
     char file[512]; ///< where it came from, for messages and for models beside it
-    void* loaded;   ///< what the YAML library allocated; scene_free() gives it back
+    Pool pool;      ///< memory of all pointers above; scene_free() frees it
 } WorldDef;
 
 /// One `--set KEY=VALUE`: any key of the scene by its path, and its new value in YAML, as in

@@ -18,8 +18,8 @@
 #include <unistd.h>
 
 #include "mesh/shape.h"
+#include "scene/key.h"
 #include "scene/scene.h"
-#include "scene/scene_range.h"
 
 enum { SET_MOST = 4, MUTATIONS = 1000 };
 
@@ -144,7 +144,7 @@ static inline void must_refuse(const char* text, const char* const* set, const c
         fail_msg("got  %s: %s\nwant %s: … %s …\nof\n%s", fault.place, fault.text, place, words,
                  text);
     assert_null(strchr(fault.text, '\n'));
-    assert_null(def.loaded);
+    assert_null(def.pool.newest);
 }
 
 static inline void assert_vector(const double* vector, double x, double y, double z) {

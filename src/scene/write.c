@@ -1,5 +1,5 @@
-/// Writes a tree as YAML again: what libcyaml then reads.
-#include "scene/scene_tree.h"
+/// Writes a tree as YAML again, for files that a person or another run reads.
+#include "scene/tree.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -111,7 +111,7 @@ char* tree_text(const SceneTree* tree, bool for_people, size_t* size) {
         text.size -= good;
     }
     yaml_emitter_delete(&emitter);
-    ASSERT(good, "a judged tree can be written out, memory permitting");
+    ASSERT(good, "a validated tree can be written out, memory permitting");
     *size = text.size;
     return text.byte;
 }

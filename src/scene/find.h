@@ -1,6 +1,6 @@
 /// What a name on the command line means: a scene's file, or a mesh that gets a default scene.
-#ifndef BALLOON_SCENE_SCENE_FIND_H
-#define BALLOON_SCENE_SCENE_FIND_H
+#ifndef BALLOON_SCENE_FIND_H
+#define BALLOON_SCENE_FIND_H
 
 #include "base/fault.h"
 

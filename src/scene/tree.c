@@ -1,4 +1,4 @@
-#include "scene/scene_tree.h"
+#include "scene/tree.h"
 
 #include <stdarg.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "scene/scene_find.h"
+#include "scene/find.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /// What a scene's keys must be to each other, as a table of rules on the loaded structs.
-#ifndef BALLOON_SCENE_SCENE_RULES_H
-#define BALLOON_SCENE_SCENE_RULES_H
+#ifndef BALLOON_SCENE_RULES_H
+#define BALLOON_SCENE_RULES_H
 
-#include "scene/scene_tree.h"
+#include "scene/tree.h"
 
 /// False with the place and sentence of the first rule that the scene breaks.
 bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault);

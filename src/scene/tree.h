@@ -2,8 +2,8 @@
 /// or an override. What is wrong is said with that place; overrides are put in here.
 ///
 /// Nodes are libyaml's, by number; the root is node 1.
-#ifndef BALLOON_SCENE_SCENE_TREE_H
-#define BALLOON_SCENE_SCENE_TREE_H
+#ifndef BALLOON_SCENE_TREE_H
+#define BALLOON_SCENE_TREE_H
 
 #include <yaml.h>
 
@@ -35,10 +35,10 @@ int* tree_slot(const SceneTree* tree, int parent, const char* part, size_t lengt
 /// The node at a path as in "balloons.0.scale", or the last on the way that there is.
 int tree_find(const SceneTree* tree, const char* path);
 
-/// Put the override set[index] in. In scene_set.c.
+/// Put the override set[index] in. In override.c.
 bool tree_set(SceneTree* tree, int index, Fault* fault);
 
-/// Put a text in at a path as it is, not read as YAML. In scene_set.c.
+/// Put a text in at a path as it is, not read as YAML. In override.c.
 bool tree_set_text(SceneTree* tree, const char* path, const char* text, Fault* fault);
 
 /// Refuse a node: a sentence with the node's place. A mapping into which an override put a key is
@@ -48,7 +48,7 @@ bool tree_fault(const SceneTree* tree, int node, Fault* fault, const char* forma
 
 /// The tree as YAML again, in a form in which nothing is left to guess: every scalar quoted, every
 /// alias written out; or for people, as scenes are written. A zero byte follows. Only for trees
-/// that passed judge_scene, which bounds them. The caller frees it.
+/// that passed validate_scene, which bounds them. The caller frees it.
 char* tree_text(const SceneTree* tree, bool for_people, size_t* size);
 
 void tree_free(SceneTree* tree);

@@ -1,4 +1,4 @@
-#include "scene/scene_rules.h"
+#include "scene/rules.h"
 
 #include <string.h>
 

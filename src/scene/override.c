@@ -1,5 +1,5 @@
 /// Overrides: put a value into the tree at a path, making the keys on the way that are absent.
-#include "scene/scene_tree.h"
+#include "scene/tree.h"
 
 #include <string.h>
 

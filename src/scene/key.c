@@ -1,0 +1,59 @@
+#include "scene/key.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const Key* key_find(const KeyGroup* group, const char* name) {
+    for (int i = 0; i < group->count; i++)
+        if (strcmp(group->key[i].is.name, name) == 0)
+            return &group->key[i];
+    return NULL;
+}
+
+void key_names(const KeyGroup* group, char* names, size_t size) {
+    size_t length = 0;
+    for (int i = 0; i < group->count && length < size; i++)
+        length += (size_t)snprintf(names + length, size - length, "%s%s", i ? ", " : "",
+                                   group->key[i].is.name);
+}
+
+bool key_allows(const Parameter* range, double value) {
+    return (range->min_open ? value > range->min : value >= range->min) && value <= range->max;
+}
+
+void key_range(const Parameter* range, char words[96]) {
+    const char* from = range->min_open ? "greater than" : "at least";
+    if (range->min == -INFINITY && range->max == INFINITY)
+        snprintf(words, 96, "any number");
+    else if (range->max == INFINITY)
+        snprintf(words, 96, "%s %g", from, range->min);
+    else
+        snprintf(words, 96, "%s %g and at most %g", from, range->min, range->max);
+}
+
+typedef struct Visit {
+    void (*visit)(const char* path, const Key* key, void* context);
+    void* context;
+    char path[128];
+} Visit;
+
+static void visit_group(Visit* visit, const KeyGroup* group) {
+    const size_t length = strlen(visit->path);
+    for (int i = 0; i < group->count; i++) {
+        const Key* key = &group->key[i];
+        snprintf(visit->path + length, sizeof visit->path - length, "%s%s", length ? "." : "",
+                 key->is.name);
+        visit->visit(visit->path, key, visit->context);
+        if (key->type == KEY_LIST)
+            strncat(visit->path, ".*", sizeof visit->path - strlen(visit->path) - 1);
+        if (key->group)
+            visit_group(visit, key->group);
+    }
+    visit->path[length] = '\0';
+}
+
+void key_each(void (*visit)(const char* path, const Key* key, void* context), void* context) {
+    Visit all = {.visit = visit, .context = context};
+    visit_group(&all, &scene_keys);
+}

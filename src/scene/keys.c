@@ -1,0 +1,156 @@
+/// The keys of a scene outside its balloons (keys_balloon.c).
+#include "scene/key.h"
+
+#include <math.h>
+
+#include "scene/scene.h"
+
+const char* const guard_name[GUARD_COUNT] = {"split", "stop", "off"};
+const char* const units_name[UNITS_COUNT] = {"si", "paper"};
+const char* const precision_name[PRECISIONS] = {"any", "float", "double"};
+
+#define AT(field) .offset = offsetof(DEF, field)
+#define COUNT(field) .count_offset = offsetof(DEF, field)
+#define GROUP(rows, Def)                                                                           \
+    { rows, sizeof rows / sizeof rows[0], sizeof(Def) }
+
+// clang-format off
+#define DEF CameraDef
+static const Key camera_row[] = {
+    {{"eye",  "m", ANY, NAN, "where the eye is"},      KEY_VECTOR, AT(eye),  .required = true},
+    {{"look", "m", ANY, NAN, "the point it looks at"}, KEY_VECTOR, AT(look), .required = true},
+};
+#undef DEF
+static const KeyGroup camera_keys = GROUP(camera_row, CameraDef);
+
+#define DEF AboutDef
+static const Key about_row[] = {
+    {{"output", NO_NUMBER, "a column of the CSV"}, KEY_TEXT, AT(output), .longest = WORD_LONGEST},
+    {{"at", "s", NOT_NEGATIVE, 0, "when it counts"}, KEY_NUMBER, AT(at)},
+    {{"tolerance", "1", POSITIVE, NAN, "how far off it may be, relative to its size; required with "
+      "`output`"}, KEY_NUMBER, AT(tolerance), .absent = "none"},
+    {{"none", NO_NUMBER, "the one item that says why no output can be held to a number"}, KEY_TEXT,
+     AT(none), .longest = TEXT_LONGEST},
+};
+#undef DEF
+static const KeyGroup about_keys = GROUP(about_row, AboutDef);
+
+#define DEF BecauseDef
+static const Key because_row[] = {
+    {{"part", NO_NUMBER, "a part's name in `balloon needs`"}, KEY_TEXT, AT(part), .required = true,
+     .longest = WORD_LONGEST},
+    {{"reason", NO_NUMBER, "why the part stays"}, KEY_TEXT, AT(reason), .required = true,
+     .longest = TEXT_LONGEST},
+};
+#undef DEF
+static const KeyGroup because_keys = GROUP(because_row, BecauseDef);
+
+#define DEF FailsDef
+static const Key fails_row[] = {
+    {{"at", "s", POSITIVE, NAN, "by when the scene has failed"}, KEY_NUMBER, AT(at), .required = true},
+    {{"halts", NO_NUMBER, "the state goes bad and is caught"}, KEY_FLAG, AT(halts)},
+    {{"output", NO_NUMBER, "or this column of the CSV is on the wrong side of a limit"}, KEY_TEXT,
+     AT(output), .longest = WORD_LONGEST},
+    {{"above", "of the output", ANY, NAN, "it fails above this"}, KEY_OPTIONAL, AT(above)},
+    {{"below", "of the output", ANY, NAN, "or below this"}, KEY_OPTIONAL, AT(below)},
+    {{"truth", "of the output", ANY, NAN, "the right value"}, KEY_OPTIONAL, AT(truth)},
+    {{"cure", NO_NUMBER, "overrides, KEY=VALUE, with which the scene does not fail"}, KEY_TEXTS,
+     AT(cure), COUNT(cure_count), .longest = TEXT_LONGEST},
+};
+#undef DEF
+static const KeyGroup fails_keys = GROUP(fails_row, FailsDef);
+
+#define DEF SphereDef
+static const Key sphere_row[] = {
+    {{"position", "m", ANY, NAN, "center at the start"}, KEY_VECTOR, AT(position), .required = true},
+    {{"velocity", "m/s", ANY, NAN, "velocity at the start"}, KEY_VECTOR, AT(velocity),
+     .absent = "at rest"},
+    {{"radius", "m", POSITIVE, NAN, "radius"}, KEY_NUMBER, AT(radius), .required = true},
+    {{"mass", "kg", POSITIVE, NAN, "mass"}, KEY_NUMBER, AT(mass), .required = true},
+    {{"restitution", "1", 0, 1, false, 0, "Newton's coefficient"}, KEY_NUMBER, AT(restitution)},
+    {{"friction", "1", NOT_NEGATIVE, 0, "Coulomb's coefficient"}, KEY_NUMBER, AT(friction)},
+};
+#undef DEF
+static const KeyGroup sphere_keys = GROUP(sphere_row, SphereDef);
+
+#define DEF WallDef
+static const Key wall_row[] = {
+    {{"at", "m", ANY, NAN, "a point of the wall"}, KEY_VECTOR, AT(at), .required = true},
+    {{"normal", "1", ANY, NAN, "direction, of any length, to the side of the balloons"}, KEY_VECTOR,
+     AT(normal), .required = true},
+};
+#undef DEF
+static const KeyGroup wall_keys = GROUP(wall_row, WallDef);
+
+#define DEF PipeDef
+static const Key pipe_row[] = {
+    {{"from", "1", NOT_NEGATIVE, NAN, "number of a balloon"}, KEY_NUMBER, AT(from), .required = true},
+    {{"to", "1", NOT_NEGATIVE, NAN, "number of another"}, KEY_NUMBER, AT(to), .required = true},
+    {{"conductance", "m^3/s", POSITIVE, NAN, "p V that flows per second and pascal of difference"},
+     KEY_NUMBER, AT(conductance), .required = true},
+    {{"start", "s", NOT_NEGATIVE, 0, "when the pipe is opened"}, KEY_NUMBER, AT(start)},
+};
+#undef DEF
+static const KeyGroup pipe_keys = GROUP(pipe_row, PipeDef);
+
+#define DEF SolverDef
+static const Key solver_row[] = {
+    {{"iterations", "1", 0, 10000, false, 0, "largest number for each step"}, KEY_NUMBER,
+     AT(iterations), .absent = "0, the method's own number"},
+    {{"tolerance", "1", 0, 1, false, 0, "residual, relative to the first, at which a step is solved"},
+     KEY_NUMBER, AT(tolerance), .absent = "0, the method's own"},
+    {{"linear_tolerance", "1", 0, 1, false, 0, "the same for each linear system"}, KEY_NUMBER,
+     AT(linear_tolerance), .absent = "0, the method's own"},
+    {{"fixed", NO_NUMBER, "make all iterations, whatever the residual"}, KEY_FLAG, AT(fixed)},
+    {{"start", NO_NUMBER, "where the iterations of a step begin"}, KEY_NAME, AT(start),
+     .name = step_start_name, .name_count = STEP_STARTS},
+    {{"in_place", NO_NUMBER, "`euler` moves each particle before it computes the next one's force"},
+     KEY_FLAG, AT(in_place)},
+    {{"paper_tangent", NO_NUMBER, "take the gas's stiffness of the thin-shell paper, a third of the "
+      "exact one"}, KEY_FLAG, AT(paper_tangent)},
+};
+#undef DEF
+static const KeyGroup solver_keys = GROUP(solver_row, SolverDef);
+
+#define DEF WorldDef
+#define LIST(field, keys) KEY_LIST, AT(field), COUNT(field##_count), .group = &keys
+static const Key world_row[] = {
+    {{"title", NO_NUMBER, "one line for lists"}, KEY_TEXT, AT(title), .longest = TEXT_LONGEST},
+    {{"units", NO_NUMBER, "SI, or the mass-spring paper's, whose numbers have no SI unit"}, KEY_NAME,
+     AT(units), .name = units_name, .name_count = UNITS_COUNT},
+    {{"step", "s", 0, 1, true, NAN, "length of the fixed step"}, KEY_NUMBER, AT(step),
+     .required = true},
+    {{"gravity", "m/s^2", ANY, NAN, "acceleration downward"}, KEY_OPTIONAL, AT(gravity),
+     .absent = "9.81, or 9.8 in the paper's units"},
+    {{"floor", "m", ANY, NAN, "height of the floor"}, KEY_OPTIONAL, AT(floor), .absent = "no floor"},
+    {{"guard", NO_NUMBER, "what to do with a step above the stability bound"}, KEY_NAME, AT(guard),
+     .name = guard_name, .name_count = GUARD_COUNT},
+    {{"precision", NO_NUMBER, "of the state"}, KEY_NAME, AT(precision), .name = precision_name,
+     .name_count = PRECISIONS},
+    {{"method", NO_NUMBER, "how a step is made: a method of `balloon list`"}, KEY_TEXT, AT(method),
+     .absent = "euler", .longest = WORD_LONGEST},
+    {{"solver", NO_NUMBER, "how a method solves its steps"}, KEY_MAPPING, AT(solver),
+     .group = &solver_keys},
+    {{"show", NO_NUMBER, "the display mode at the start: one of `balloon list`"}, KEY_TEXT, AT(show),
+     .absent = "skin", .longest = WORD_LONGEST},
+    {{"rest", "1/s", 0, 1, false, 0, "a balloon slower than this many of its sizes a second sleeps; "
+      "0: none does"}, KEY_NUMBER, AT(rest)},
+    {{"seconds", "s", POSITIVE, 10, "how long headless runs last"}, KEY_NUMBER, AT(seconds)},
+    {{"camera", NO_NUMBER, "where the eye is"}, KEY_POINTER, AT(camera), .group = &camera_keys,
+     .absent = "the whole scene is in sight"},
+    {{"about", NO_NUMBER, "the outputs that the scene is for"}, LIST(about, about_keys)},
+    {{"because", NO_NUMBER, "why parts stay that the outputs do not need"}, LIST(because, because_keys)},
+    {{"fails", NO_NUMBER, "what goes wrong in a scene of the museum of failures"}, KEY_POINTER,
+     AT(fails), .group = &fails_keys},
+    {{"contact", NO_NUMBER, "impulses that keep momentum, or the mass-spring paper's penalty"},
+     KEY_NAME, AT(contact), .name = contact_law_name, .name_count = CONTACT_LAWS},
+    {{"spheres", NO_NUMBER, "balls that are there from the start"}, LIST(spheres, sphere_keys)},
+    {{"walls", NO_NUMBER, "half-spaces beside the floor"}, LIST(walls, wall_keys)},
+    {{"pipes", NO_NUMBER, "gas flows through each to the lower pressure"}, LIST(pipes, pipe_keys)},
+    {{"balloons", NO_NUMBER, "the balloons"}, LIST(balloons, balloon_keys), .required = true,
+     .shortest = 1},
+};
+#undef DEF
+// clang-format on
+
+const KeyGroup scene_keys = GROUP(world_row, WorldDef);
