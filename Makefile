@@ -1,12 +1,17 @@
+# make          build; where packages are missing, say the line that installs them
 # make run      install what is missing, build, open the default scene (or render it to out/)
 # make test     install what is missing, build, run all tests in both precisions
-# make check    format, include layers, headers alone, gcc and clang with warnings as errors,
-#               all tests under the address and undefined-behaviour sanitizers, those of threads
-#               under the thread sanitizer
+#               ONLY=contact: those with the word in their name
+# make check    format, include layers, headers alone, warnings as errors with gcc and clang, state
+#               hashes of all scenes with both, all tests under the address and undefined-behavior
+#               sanitizers, those of threads under the thread sanitizer; ONLY as above
+# make golden   write tests/golden/hashes.csv anew, after a change of bits on purpose
 # make chart    chart speed against accuracy to out/chart, and the README's table and picture of it
-# make bench    measure and print speed
+# make bench    measure and print speed, and what every shipped scene needs
 # make format   rewrite the sources as clang-format has them
+# make compile_commands.json   for editors and clang-tidy
 # make clean    remove what was built
+# make help     these lines
 #
 # build/balloon has a state of float, build/balloon-double of double; both come from src/.
 
@@ -43,15 +48,20 @@ SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*/*.c src/*/*.cpp
 # kernels are compiled for the plainest machine of a kind, and again for a newer one (base/cpu.h)
 KERNELS  := $(if $(filter x86_64,$(shell uname -m)),$(wildcard src/*/*_kernel.c src/*/*/*_kernel.c src/force/material_*.c))
 HEADERS  := $(wildcard src/*/*.h src/*/*/*.h)
-UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*.c)))
+ONLY    ?=
+UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
 SCENE   ?=
 
-.PHONY: all run test check bench chart format clean install programs tests packages-build packages-run \
-    packages-test packages-check headers
+.PHONY: all help run test check golden bench chart format clean install programs tests tests-syntax \
+    packages-build packages-run packages-test packages-check headers
 .DELETE_ON_ERROR:
 
-all: packages-build
+all:
+	$(call say_missing,$(BUILD_PACKAGES),$(LIBRARIES),gcc g++ pkg-config)
 	@$(MAKE) --no-print-directory -j$(JOBS) programs
+
+help:
+	@sed -n '/^# make /,/^#$$/{/^#$$/d;s/^# \?//;p}' Makefile
 
 run: packages-build packages-run
 	@$(MAKE) --no-print-directory -j$(JOBS) programs
@@ -61,25 +71,35 @@ run: packages-build packages-run
 
 test: packages-build packages-run packages-test
 	@$(MAKE) --no-print-directory -j$(JOBS) programs tests
-	@tests/run.sh $(BUILD)
+	@JOBS=$(JOBS) tests/run.sh $(BUILD) $(ONLY)
 
+# gcc's build is the one that the tests ran, or is made here; clang's is held against the same
+# table of hashes, with the kernels of the plainest machine and two threads
 check: packages-build packages-run packages-test packages-check
 	@tests/format.sh
 	@tests/layers.sh
 	@$(MAKE) --no-print-directory -j$(JOBS) headers
-	@echo "gcc, warnings as errors"
-	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/gcc EXTRA=-Werror programs tests
+	@$(MAKE) --no-print-directory -j$(JOBS) EXTRA=$(or $(EXTRA),-Werror) programs
+	@JOBS=$(JOBS) tests/hashes.sh check $(BUILD)
 	@echo "clang, warnings as errors"
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ EXTRA=-Werror \
-	    programs tests
-	@tests/bits.sh build/gcc build/clang
+	    programs tests-syntax
+	@BALLOON_CPU=baseline THREADS=2 JOBS=$(JOBS) tests/hashes.sh check-own build/clang
 	@echo "sanitizers"
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/threads EXTRA="-Werror -fsanitize=thread" \
 	    build/threads/float/tests/test_crew
 	@build/threads/float/tests/test_crew
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/sanitized \
 	    EXTRA="-Werror -fsanitize=address,undefined -fno-sanitize-recover=all" programs tests
-	@tests/run.sh build/sanitized
+	@JOBS=$(JOBS) tests/run.sh build/sanitized $(ONLY)
+
+golden:
+	$(call say_missing,$(BUILD_PACKAGES),$(LIBRARIES),gcc g++ pkg-config)
+	@$(MAKE) --no-print-directory -j$(JOBS) programs
+	@JOBS=$(JOBS) tests/hashes.sh renew $(BUILD)
+
+compile_commands.json: Makefile
+	@$(MAKE) --no-print-directory -Bn BUILD=build/none EXTRA= programs tests | tests/compile_commands.sh >$@
 
 bench: packages-build
 	@$(MAKE) --no-print-directory -j$(JOBS) programs
@@ -104,6 +124,15 @@ install: all
 	cp -r assets shaders $(DESTDIR)$(PREFIX)/share/balloon
 
 # --- packages: exactly what is missing, with sudo when not root, and said ---------------------------
+
+define say_missing
+@missing=""; if command -v dpkg-query >/dev/null; then for p in $(1); do \
+    dpkg-query -W -f='$${db:Status-Status}' $$p 2>/dev/null | grep -qx installed || missing="$$missing $$p"; done; \
+    [ -z "$$missing" ] || { echo "Packages are missing; type: sudo apt-get install$$missing" >&2; exit 1; }; \
+else for l in $(2); do pkg-config --exists $$l 2>/dev/null || missing="$$missing $$l"; done; \
+    for c in $(3); do command -v $$c >/dev/null || missing="$$missing $$c"; done; \
+    [ -z "$$missing" ] || { echo "Please install these first:$$missing" >&2; exit 1; }; fi
+endef
 
 define install_missing
 @if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then \
@@ -175,8 +204,15 @@ $$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
 # one test counts what a step asks the allocator for
 $$(BUILD)/$(1)/tests/test_world: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)
 
+$$(BUILD)/$(1)/syntax/%.ok: tests/unit/%.c $$(HEADERS) $$(wildcard tests/unit/*.h)
+	@mkdir -p $$(@D)
+	@$$(CC) -std=c17 $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) -Isrc -D_POSIX_C_SOURCE=200809L -Itests/unit \
+	    $$(includes) -fsyntax-only $$<
+	@touch $$@
+
 programs: $$(BUILD)/$(2)
 tests: $$(UNIT:%=$$(BUILD)/$(1)/tests/%)
+tests-syntax: $$(UNIT:%=$$(BUILD)/$(1)/syntax/%.ok)
 .SECONDARY: $$(UNIT:%=$$(BUILD)/$(1)/tests/%.o)
 endef
 

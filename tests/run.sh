@@ -1,46 +1,71 @@
 #!/usr/bin/env bash
-# Runs all tests of a build folder, both precisions, and adds up what they say.
-# Each test program is cmocka's, or a script that ends in "N passed, N failed".
+# Runs the tests of a build folder, both precisions, and adds up what they say; with a WORD, those
+# that have it in their name. JOBS programs run side by side, each one's output stays together.
+# A test program is cmocka's, or a script that ends in "N passed, N failed".
+#
+#   run.sh BUILD [WORD]
 set -uo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build}
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-passed=0 failed=0
+word=${2:-}
+logs=$(mktemp -d)
+trap 'rm -rf "$logs"' EXIT
+export logs
 
-# one: run a command, count its tests, show all it said if any failed
+# one NAME COMMAND…: run a test program; its log, status and seconds stay in files
 one() {
-    local name=$1 ok bad status
+    local name=$1 file=$logs/${1//[ \/]/_} start=$SECONDS
     shift
-    "$@" >"$log" 2>&1
-    status=$?
-    ok=$(sed -nE 's/^\[  PASSED  \] ([0-9]+) test.*/\1/p; s/^([0-9]+) passed, [0-9]+ failed$/\1/p' "$log" | tail -1)
-    bad=$(sed -nE 's/^\[  FAILED  \] ([0-9]+) test.*/\1/p; s/^[0-9]+ passed, ([0-9]+) failed$/\1/p' "$log" | tail -1)
-    ok=${ok:-0} bad=${bad:-0}
-    if [ "$status" != 0 ] || [ "$bad" != 0 ]; then
-        cat "$log"
-        [ "$bad" != 0 ] || bad=1
-        echo "FAILED $name"
-    elif [ "$ok" = 0 ]; then
-        cat "$log"
-        echo "FAILED $name: it ran no test"
-        bad=1
-    else
-        echo "passed $name: $ok"
-    fi
-    passed=$((passed + ok)) failed=$((failed + bad))
+    "$@" >"$file.log" 2>&1 </dev/null
+    echo $? >"$file.status"
+    tell "$name" "$file" $((SECONDS - start))
 }
 
-shopt -s nullglob
-for precision in float double; do
-    for source in tests/unit/test_*.c; do
-        name=$(basename "$source" .c)
-        one "$precision $name" "$build/$precision/tests/$name"
-    done
-done
-for script in tests/cli/*.sh tests/window/*.sh; do
-    one "$script" bash "$script" "$build"
-done
+# tell NAME FILE SECONDS: one line, or all that it said where anything failed
+tell() {
+    local ok bad status
+    status=$(cat "$2.status")
+    ok=$(sed -nE 's/^\[  PASSED  \] ([0-9]+) test.*/\1/p; s/^([0-9]+) passed, [0-9]+ failed$/\1/p' "$2.log" | tail -1)
+    bad=$(sed -nE 's/^\[  FAILED  \] ([0-9]+) test.*/\1/p; s/^[0-9]+ passed, ([0-9]+) failed$/\1/p' "$2.log" | tail -1)
+    ok=${ok:-0} bad=${bad:-0}
+    {
+        if [ "$status" != 0 ] || [ "$bad" != 0 ]; then
+            cat "$2.log"
+            [ "$bad" != 0 ] || bad=1
+            echo "FAILED $1"
+        elif [ "$ok" = 0 ]; then
+            cat "$2.log"
+            echo "FAILED $1: it ran no test"
+            bad=1
+        else
+            echo "passed $1: $ok"
+        fi
+    } >"$2.said"
+    echo "$ok $bad $3 $1" >"$2.sum"
+    flock "$logs" cat "$2.said"
+}
+export -f one tell
 
+shopt -s nullglob
+{
+    # the longest first, so that none is left alone at the end
+    for script in tests/window/*"$word"*.sh tests/cli/*"$word"*.sh; do
+        echo "$script bash $script $build"
+    done
+    for precision in float double; do
+        for source in tests/unit/test_*"$word"*.c; do
+            name=$(basename "$source" .c)
+            echo "$precision/$name $build/$precision/tests/$name"
+        done
+    done
+} | xargs -P "${JOBS:-2}" -L 1 bash -c 'one "$@"' _
+
+echo "the longest:"
+sort -k3,3nr "$logs"/*.sum | head -8 | awk '{printf "  %4d s  %s\n", $3, $4}'
+read -r passed failed < <(cat "$logs"/*.sum | awk '{p += $1; f += $2} END {print p + 0, f + 0}')
+if [ "$passed" = 0 ] && [ "$failed" = 0 ]; then
+    echo "no test has '$word' in its name"
+    failed=1
+fi
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# The state of every scene by every method in both precisions, as a table of hashes: the same input
+# gives the same bits, whatever the compiler, the kernels and the threads, and as it did before.
+#
+#   hashes.sh check BUILD       hold all of it against tests/golden/hashes.csv
+#   hashes.sh check-own BUILD   only each scene by its own method
+#   hashes.sh renew BUILD       write the table anew, after a change of bits on purpose
+#
+# A scene runs for 1 s by its own method, for 0.02 s by each other one. A pair that is refused is
+# `refused`, a run that halts is `halted`; neither depends on the wording of a sentence. THREADS: of
+# each run, 1; JOBS: runs side by side.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+mode=$1
+export build=$2 THREADS=${THREADS:-1}
+golden=tests/golden/hashes.csv
+now=$(mktemp)
+trap 'rm -f "$now" "$now".*' EXIT
+
+# one SCENE METHOD PRECISION SECONDS: its row
+one() {
+    local program=balloon hash status=0
+    [ "$3" = float ] || program=balloon-double
+    hash=$("$build/$program" run "$1" --method "$2" --seconds "$4" --threads "$THREADS" --hash --quiet 2>/dev/null) || status=$?
+    # nothing begins where the pair is refused: not even a state of no time
+    if [ $status != 0 ]; then
+        hash=halted
+        "$build/$program" run "$1" --method "$2" --seconds 1e-9 --hash --quiet >/dev/null 2>&1 || hash=refused
+    fi
+    printf '%s,%s,%s,%s,%s\n' "$1" "$2" "$3" "$4" "$(printf '%s' "$hash" | tail -1)"
+}
+export -f one
+
+# every run: SCENE METHOD PRECISION SECONDS
+runs() {
+    local scene method own precision
+    for scene in assets/scenes/*.yaml assets/scenes/fails/*.yaml; do
+        own=$(sed -nE 's/^method: *([a-z]+).*/\1/p' "$scene")
+        for method in $(sed -nE 's/^    \.name = "([a-z]+)",$/\1/p' src/solve/*.c); do
+            [ "$method" != "${own:-euler}" ] && [ "$mode" = check-own ] && continue
+            for precision in float double; do
+                [ "$method" = "${own:-euler}" ] && echo "$scene $method $precision 1" || echo "$scene $method $precision 0.02"
+            done
+        done
+    done
+}
+
+runs | xargs -P "${JOBS:-2}" -L 1 bash -c 'one "$@"' _ | LC_ALL=C sort >"$now"
+if [ "$mode" = renew ]; then
+    cp "$now" $golden
+    echo "hashes: $(wc -l <$golden) rows in $golden"
+    exit
+fi
+if [ "$mode" = check-own ]; then grep ',1,[^,]*$' $golden >"$now.golden"; else cp $golden "$now.golden"; fi
+if ! diff "$now.golden" "$now"; then
+    echo "hashes: $build differs from $golden in the rows above (< golden, > now)"
+    exit 1
+fi
+echo "hashes: $build agrees with $golden on $(wc -l <"$now") runs"
