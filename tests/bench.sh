@@ -19,3 +19,5 @@ for scene in assets/scenes/*.yaml; do
 done
 # all that is timed, against the figures kept on this machine
 "$build/balloon" bench --out out
+# what no scene needs, of every shipped one
+"$build/balloon" needs --all --quick --out out

@@ -7,9 +7,10 @@
 /// Transforms of the file's scene graph are applied, in double. No post-processing of assimp is
 /// used: its JoinIdenticalVertices merges distinct vertices that are closer than about 1e-5.
 ///
-/// Not among them, by trial with 1,500 damaged files each: PLY (loops forever on a header that is
-/// cut off) and COLLADA (4 segmentation faults). Of 8,000 each of the formats above one failed, by a
-/// length in a GLB header that made assimp allocate 2 GB; headers are checked for that before. Known
+/// Not among them, after a trial with damaged files: PLY, on which assimp loops forever where the
+/// header is cut off, and COLLADA, which ended 4 of 1,500 runs by a segmentation fault. Of 8,000
+/// files of each format above one failed, by a length in a GLB header that made assimp allocate
+/// 2 GB; such headers are refused before. Known
 /// limit: a glTF file crafted for it, of nodes nested 20,000 deep or each listed twice by its parent
 /// in 24 levels, exhausts assimp's stack or memory.
 #ifndef BALLOON_MESH_IMPORT_H
