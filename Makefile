@@ -6,7 +6,7 @@
 #               hashes of all scenes with both, all tests under the address and undefined-behavior
 #               sanitizers, those of threads under the thread sanitizer; ONLY as above
 # make golden   write tests/golden/hashes.csv anew, after a change of bits on purpose
-# make chart    chart speed against accuracy to out/chart, and the README's table and picture of it
+# make chart    chart speed against accuracy to out/chart, and the README files' picture and table
 # make bench    measure and print speed, and what every shipped scene needs
 # make format   rewrite the sources as clang-format has them
 # make compile_commands.json   for editors and clang-tidy
@@ -110,7 +110,7 @@ chart: packages-build packages-run
 	@mkdir -p out
 	@$(BUILD)/balloon chart --out out/chart
 	@cp out/chart/sphere-gas.png assets/chart.png
-	@sed -i -e '/^<!-- chart:/,/^<!-- end of chart/{//!d}' -e '/^<!-- chart:/r out/chart/chart.md' README.md
+	@sed -i -e '/^<!-- chart:/,/^<!-- end of chart/{//!d}' -e '/^<!-- chart:/r out/chart/chart.md' src/lab/README.md
 
 format: packages-check
 	find src tests/unit -name "*.[ch]" -o -name "*.[ch]pp" | xargs clang-format -i
