@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "contact/cross.h"
-#include "contact/feature.h"
-#include "contact/near.h"
+#include "contact/triangle_path.h"
+#include "contact/shared_feature.h"
+#include "contact/broad_phase.h"
 #include "contact/paper.h"
-#include "contact/sweep.h"
+#include "contact/ccd.h"
 
 const char* const contact_law_name[CONTACT_LAWS] = {"impulse", "paper"};
 
@@ -48,16 +48,16 @@ static void begin(Contacts* contacts) {
     for (int b = 0; b < contacts->skin_count; b++) {
         ContactSkin* skin = &contacts->skin[b];
         const Mesh* mesh = skin->body->mesh;
-        skin->owners = feature_owners(mesh);
+        skin->owners = shared_feature_owners(mesh);
         skin->patches = bullet_skin_open((const int(*)[3])mesh->triangle, mesh->triangle_count,
                                          skin->body->x, mesh->point_count);
-        skin->fastest = near_fastest(skin->body);
+        skin->fastest = broad_phase_max_speed(skin->body);
         skin->grown = INFINITY;
     }
     contacts->contact_room = CONTACTS_FIRST;
     contacts->contact = new_array(Contact, CONTACTS_FIRST);
     contacts->triangle = new_array(int, CONTACTS_FIRST);
-    contacts->warm.push = new_array(Push, CONTACTS_FIRST);
+    contacts->warm.impulse = new_array(StoredImpulse, CONTACTS_FIRST);
     contacts->sphere_room = SPHERES_FIRST;
     contacts->sphere = new_array(Sphere, SPHERES_FIRST);
     contacts->good = new_array(Sphere, SPHERES_FIRST);
@@ -69,10 +69,10 @@ void contacts_add(Contacts* contacts, const Sphere* sphere) {
         begin(contacts);
     if (contacts->sphere_count == contacts->sphere_room) {
         const size_t room = (size_t)contacts->sphere_room;
-        contacts->sphere = near_grown(contacts->sphere, room, sizeof(Sphere));
-        contacts->good = near_grown(contacts->good, room, sizeof(Sphere));
+        contacts->sphere = grown_array(contacts->sphere, room, sizeof(Sphere));
+        contacts->good = grown_array(contacts->good, room, sizeof(Sphere));
         contacts->pair =
-            near_grown(contacts->pair, room * (size_t)contacts->skin_count, sizeof(ContactPair));
+            grown_array(contacts->pair, room * (size_t)contacts->skin_count, sizeof(ContactPair));
         contacts->sphere_room *= 2;
     }
     const int s = contacts->sphere_count++;
@@ -80,7 +80,7 @@ void contacts_add(Contacts* contacts, const Sphere* sphere) {
     for (int b = 0; b < contacts->skin_count; b++) {
         const Body* body = contacts->skin[b].body;
         const bool inside =
-            body->mesh->closed && cross_winding(body->mesh, body->x, to_double4(sphere->x)) > 0.5;
+            body->mesh->closed && winding_number(body->mesh, body->x, to_double4(sphere->x)) > 0.5;
         const int side = inside ? -1 : 1;
         contacts->pair[s * contacts->skin_count + b] = (ContactPair){.side = side, .now = side};
     }
@@ -103,12 +103,13 @@ static double pace_of(Contacts* contacts, ContactSkin* skin, Sphere* sphere, dou
     const double radius = (double)sphere->radius;
     const double speed = (double)length(sphere->v) + contacts->gravity * h + skin->fastest;
     const double reach = radius + speed * h;
-    if (speed * h <= deep * radius || near_box(skin, to_double4(sphere->x)) >= reach)
+    if (speed * h <= deep * radius ||
+        broad_phase_box_distance(skin, to_double4(sphere->x)) >= reach)
         return h;
-    near_refit(skin);
-    if (near_box(skin, to_double4(sphere->x)) >= reach)
+    broad_phase_refit(skin);
+    if (broad_phase_box_distance(skin, to_double4(sphere->x)) >= reach)
         return h;
-    const double distance = near_distance(contacts, skin, sphere, reach);
+    const double distance = broad_phase_distance(contacts, skin, sphere, reach);
     return fmin(h, fmax(deep * radius, distance - radius) / speed);
 }
 
@@ -135,13 +136,13 @@ static double pace_of_balls(const Contacts* contacts, int s, double h) {
     return pace;
 }
 
-double contacts_pace(Contacts* contacts, double h) {
+double contacts_safe_step(Contacts* contacts, double h) {
     if (contacts->sphere_count == 0 || contacts->law == CONTACT_PAPER)
         return h;
     for (int b = 0; b < contacts->skin_count;
          b++) { // what corrections made of speeds is a way, too
         ContactSkin* skin = &contacts->skin[b];
-        const double fastest = near_fastest(skin->body);
+        const double fastest = broad_phase_max_speed(skin->body);
         skin->grown += contacts->drift * fmax(skin->fastest, fastest);
         skin->fastest = fastest;
     }
@@ -170,7 +171,7 @@ static double closing(const Contact* c) {
 static real kicked(const Contact* c, const real4* before, real fall) {
     real4 skin = {0, fall, 0, 0};
     for (int k = 0; k < 3; k++)
-        skin += c->weight[k] * (c->body->v[c->particle[k]] - before[c->particle[k]]);
+        skin -= c->weight[k + 1] * (c->body->v[c->particle[k]] - before[c->particle[k]]);
     return real_max(0, dot(c->normal, skin));
 }
 
@@ -186,8 +187,9 @@ static void gather_pair(Contacts* contacts, int s, int b, double h) {
     const double reach = (1 + slack) * radius + 2 * speed * h;
     const real fall = (real)(h * contacts->gravity);
     bool touching = false;
-    pair->seen = fmax(reach, near_box(skin, to_double4(sphere->x)));
-    const int count = pair->seen <= reach ? near_triangles(contacts, skin, sphere, reach) : 0;
+    pair->seen = fmax(reach, broad_phase_box_distance(skin, to_double4(sphere->x)));
+    const int count =
+        pair->seen <= reach ? broad_phase_triangles(contacts, skin, sphere, reach) : 0;
     for (int k = 0; k < count; k++) {
         Contact contact = contact_make(sphere, skin->body, contacts->triangle[k], (real)pair->side);
         contact.pair = number;
@@ -196,12 +198,12 @@ static void gather_pair(Contacts* contacts, int s, int b, double h) {
         Contact* end = &contacts->contact[contacts->near_count++];
         *end = contact;
         const double soon = 1.5 * closing(&contact) * h + slack * radius;
-        if ((double)contact.gap <= soon && feature_owned(&contact, skin->owners)) {
+        if ((double)contact.gap <= soon && shared_feature_owned(&contact, skin->owners)) {
             *end = contacts->contact[contacts->contact_count];
             if (contact.first)
-                contact.least = bounces * kicked(&contact, skin->before, fall);
+                contact.min_bounce_speed = bounces * kicked(&contact, skin->before, fall);
             else
-                warm_give(&contacts->warm, &contact, h);
+                warm_start_load(&contacts->warm, &contact, h);
             contacts->contact[contacts->contact_count++] = contact;
             body_wake(skin->body);
         }
@@ -220,7 +222,7 @@ static void gather(Contacts* contacts, double h) {
 /// much of h may be drifted so that none of the others comes into the core of a ball.
 static double unseen(Contacts* contacts, double h) {
     for (int b = 0; b < contacts->skin_count; b++)
-        contacts->skin[b].fastest = near_fastest(contacts->skin[b].body);
+        contacts->skin[b].fastest = broad_phase_max_speed(contacts->skin[b].body);
     for (int s = 0; s < contacts->sphere_count; s++)
         for (int b = 0; b < contacts->skin_count; b++) {
             Sphere* sphere = &contacts->sphere[s];
@@ -229,7 +231,7 @@ static double unseen(Contacts* contacts, double h) {
             const double way = speed * h + core * (double)sphere->radius;
             if (way <= seen)
                 continue;
-            const double distance = near_distance(contacts, &contacts->skin[b], sphere, way);
+            const double distance = broad_phase_distance(contacts, &contacts->skin[b], sphere, way);
             h = fmin(h, (fmax(seen, distance) - core * (double)sphere->radius) / speed);
         }
     return h;
@@ -270,13 +272,13 @@ static void solve(Contacts* contacts, double h) {
     for (int round = 0; round < ROUNDS_WITH_PLANES; round++) {
         const ContactReport report = contact_solve(contacts->contact, contacts->contact_count, h);
         if (round == 0)
-            warm_keep(&contacts->warm, contacts->contact, contacts->contact_count, h);
+            warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
         first = round == 0 ? report.moved : first;
         if (report.moved <= little * first || !stop_on_planes(contacts, h))
             return;
         for (int k = 0; k < contacts->contact_count; k++) {
-            contacts->contact[k].push = 0;
-            contacts->contact[k].rub = (real4){0, 0, 0, 0};
+            contacts->contact[k].normal_impulse = 0;
+            contacts->contact[k].tangent_impulse = (real4){0, 0, 0, 0};
         }
     }
 }
@@ -293,7 +295,7 @@ double contacts_velocities(Contacts* contacts, double h) {
         return h;
     gather(contacts, h);
     solve(contacts, h);
-    h = sweep_stop(contacts->contact, contacts->near_count, allowed(contacts, h));
+    h = ccd_stop(contacts->contact, contacts->near_count, allowed(contacts, h));
     return unseen(contacts, h);
 }
 
@@ -301,7 +303,7 @@ void contacts_drift(Contacts* contacts, double h) {
     contacts->drift = h;
     for (int k = 0; k < contacts->near_count; k++) {
         const Contact* c = &contacts->contact[k];
-        if (!sweep_passes(c, h))
+        if (!ccd_passes_through(c, h))
             continue;
         ContactPair* pair = &contacts->pair[c->pair];
         pair->now = -pair->now;
@@ -361,6 +363,6 @@ void contacts_close(Contacts* contacts) {
     free(contacts->pair);
     free(contacts->contact);
     free(contacts->triangle);
-    free(contacts->warm.push);
+    free(contacts->warm.impulse);
     *contacts = (Contacts){0};
 }

@@ -18,7 +18,7 @@
 #include "contact/contact.h"
 #include "contact/contact_law.h"
 #include "contact/plane.h"
-#include "contact/warm.h"
+#include "contact/warm_start.h"
 
 /// A skin that balls can touch.
 typedef struct ContactSkin {
@@ -57,7 +57,7 @@ typedef struct Contacts {
     int contact_room;
     Contact* contact; ///< [contact_room]
     int* triangle;    ///< [contact_room]
-    Warm warm;        ///< what pushed in the last part
+    WarmStart warm;   ///< what pushed in the last part
     Sphere* good;     ///< [sphere_room] last good state, of the first good_count
     int good_count;
     long pass_throughs;
@@ -75,7 +75,7 @@ void contacts_add(Contacts* contacts, const Sphere* sphere);
 void contacts_clear(Contacts* contacts);
 
 /// How much of h the world may go in its next part [s], greater than 0.
-double contacts_pace(Contacts* contacts, double h);
+double contacts_safe_step(Contacts* contacts, double h);
 
 /// Velocities that respect all contacts in a drift of length h, wherever a ball may touch a skin
 /// that sleeps it is awake; returns how much of h may be drifted, h itself unless the contacts made

@@ -184,7 +184,7 @@ static double kick(World* world, double h, double whole) {
 static void advance(World* world, double h) {
     const double whole = h;
     for (int parts = 0; h > whole * rounding && parts < PARTS_MOST; parts++) {
-        const double safe = contacts_pace(&world->contacts, fmin(h, world->solvable * whole));
+        const double safe = contacts_safe_step(&world->contacts, fmin(h, world->solvable * whole));
         const double length = kick(world, safe, whole);
         if (world->blowup.halted)
             return;

@@ -143,13 +143,13 @@ static double radius_of(double4 x) {
     return sqrt(x[0] * x[0] + x[2] * x[2]);
 }
 
-/// Where the outermost triangle is that pushes the ball.
-static double outermost_push(const World* world) {
+/// Distance from the axis of the outermost contact with an impulse.
+static double outermost_contact(const World* world) {
     double most = 0;
     for (int k = 0; k < world->contacts.contact_count; k++) {
         const Contact* c = &world->contacts.contact[k];
-        if (c->push > 0)
-            most = fmax(most, radius_of(to_double4(c->arm)));
+        if (c->normal_impulse > 0)
+            most = fmax(most, radius_of(to_double4(c->lever_arm)));
     }
     return most;
 }
@@ -217,7 +217,7 @@ static void check_rest(double gravity, double inflation) {
 
     const Body* body = &world.balloon[0].body;
     const double4 center = to_double4(world.contacts.sphere[0].x);
-    const double rc = contact_radius(body, center, outermost_push(&world)), area = PI * rc * rc;
+    const double rc = contact_radius(body, center, outermost_contact(&world)), area = PI * rc * rc;
     const double outside = (1 + 1 / edges_in_a_contact) * rc;
     const double weight = ball_mass * gravity, p = probe(&world, "balloon0.gauge_pressure");
     const Cut cut = cut_at(body, center, outside);

@@ -90,7 +90,7 @@ static double timed_step(World* world) {
     double contacts = 0;
     for (double h = world->step; h > 0;) {
         double start = now();
-        const double pace = contacts_pace(&world->contacts, h);
+        const double pace = contacts_safe_step(&world->contacts, h);
         contacts += now() - start;
 
         memcpy(world->balloon[0].v_start, body->v, (size_t)body->count * sizeof(real4));
@@ -114,7 +114,7 @@ static int count_touching(const Contacts* contacts, int* pushing) {
         int pushed = 0;
         for (int k = 0; k < contacts->contact_count; k++)
             pushed += contacts->contact[k].sphere == &contacts->sphere[s] &&
-                      contacts->contact[k].push > 0;
+                      contacts->contact[k].normal_impulse > 0;
         touching += contacts->pair[s].touching;
         *pushing += pushed;
     }

@@ -7,7 +7,7 @@
 #include <time.h>
 
 #include "base/memory.h"
-#include "contact/cross.h"
+#include "contact/triangle_path.h"
 #include "lab/bench/bench.h"
 #include "lab/peer/peer_world.h"
 #include "lab/bench/throw.h"
@@ -50,7 +50,7 @@ static bool passes(const Mesh* mesh, const double4* before, const double4* after
             a[k] = before[i];
             da[k] = after[i] - before[i];
         }
-        if (cross_time(before[ball], after[ball] - before[ball], a, da) <= 1)
+        if (triangle_crossing_time(before[ball], after[ball] - before[ball], a, da) <= 1)
             return true;
     }
     return false;

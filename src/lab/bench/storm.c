@@ -1,13 +1,13 @@
 #include "lab/bench/storm.h"
 
-#include "contact/cross.h"
+#include "contact/triangle_path.h"
 
 enum { SETS = 5 };
 
 static int winding_around(const World* world, int s) {
     const Balloon* balloon = &world->balloon[0];
     return (int)lround(
-        cross_winding(&balloon->mesh, balloon->body.x, to_double4(world->contacts.sphere[s].x)));
+        winding_number(&balloon->mesh, balloon->body.x, to_double4(world->contacts.sphere[s].x)));
 }
 
 bool storm_open(Storm* storm, uint64_t seed, Fault* fault) {

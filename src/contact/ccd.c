@@ -1,6 +1,6 @@
-#include "contact/sweep.h"
+#include "contact/ccd.h"
 
-#include "contact/cross.h"
+#include "contact/triangle_path.h"
 
 enum { ROUNDS_MOST = 32 };
 static const double shortest = 1e-9; ///< [s] of a drift
@@ -9,7 +9,7 @@ static const double rounding = 1e-2; ///< [radii] more than the distance to a tr
 /// Seen from the ball no point of the triangle goes further than its fastest corner: one that is
 /// further away than that needs no sweep.
 static bool out_of_way(const Contact* c, double h) {
-    const double away = dlength(to_double4(c->arm)) - rounding * (double)c->sphere->radius;
+    const double away = dlength(to_double4(c->lever_arm)) - rounding * (double)c->sphere->radius;
     double fastest2 = 0;
     for (int k = 0; k < 3; k++) {
         const double4 v = to_double4(c->sphere->v) - to_double4(c->body->v[c->particle[k]]);
@@ -24,7 +24,7 @@ static double4 way(real4 x, real4 v, double h) {
     return to_double4(x + (real)h * v) - to_double4(x);
 }
 
-bool sweep_passes(const Contact* c, double h) {
+bool ccd_passes_through(const Contact* c, double h) {
     if (out_of_way(c, h))
         return false;
     double4 a[3], da[3];
@@ -34,7 +34,7 @@ bool sweep_passes(const Contact* c, double h) {
         da[k] = way(x, c->body->v[c->particle[k]], h);
     }
     const real4 x = c->sphere->x;
-    return cross_time(to_double4(x), way(x, c->sphere->v, h), a, da) <= 1;
+    return triangle_crossing_time(to_double4(x), way(x, c->sphere->v, h), a, da) <= 1;
 }
 
 /// What the impulses could not solve stops: the ball and the triangle's particles go on together,
@@ -60,7 +60,7 @@ static bool stop_all(const Contact* near, int count, double h) {
     for (int round = 0; round < ROUNDS_MOST; round++) {
         bool any = false;
         for (int k = 0; k < count; k++)
-            if (sweep_passes(&near[k], h)) {
+            if (ccd_passes_through(&near[k], h)) {
                 join(&near[k]);
                 any = true;
             }
@@ -70,7 +70,7 @@ static bool stop_all(const Contact* near, int count, double h) {
     return false;
 }
 
-double sweep_stop(const Contact* near, int count, double h) {
+double ccd_stop(const Contact* near, int count, double h) {
     while (!stop_all(near, count, h) && h > shortest)
         h /= 2;
     return h;

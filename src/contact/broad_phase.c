@@ -1,4 +1,4 @@
-#include "contact/near.h"
+#include "contact/broad_phase.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -6,14 +6,14 @@
 #include "base/memory.h"
 
 /// `count` more elements: a new array of twice the room with the old one's content.
-void* near_grown(void* old, size_t count, size_t size) {
+void* grown_array(void* old, size_t count, size_t size) {
     void* array = memory_array(2 * count, size);
     memcpy(array, old, count * size);
     free(old);
     return array;
 }
 
-double near_fastest(const Body* body) {
+double broad_phase_max_speed(const Body* body) {
     if (body->asleep)
         return 0;
     real fastest = 0;
@@ -22,7 +22,7 @@ double near_fastest(const Body* body) {
     return sqrt((double)fastest);
 }
 
-void near_refit(ContactSkin* skin) {
+void broad_phase_refit(ContactSkin* skin) {
     if (skin->grown == 0)
         return;
     bullet_skin_refit(skin->patches, 0);
@@ -30,32 +30,33 @@ void near_refit(ContactSkin* skin) {
     skin->grown = 0;
 }
 
-double near_box(const ContactSkin* skin, double4 point) {
+double broad_phase_box_distance(const ContactSkin* skin, double4 point) {
     double4 away = {0};
     for (int k = 0; k < 3; k++)
         away[k] = fmax(fmax(skin->low[k] - point[k], point[k] - skin->high[k]), 0);
     return dlength(away) - skin->grown;
 }
 
-int near_triangles(Contacts* contacts, ContactSkin* skin, const Sphere* sphere, double reach) {
-    near_refit(skin);
+int broad_phase_triangles(Contacts* contacts, ContactSkin* skin, const Sphere* sphere,
+                          double reach) {
+    broad_phase_refit(skin);
     const double center[3] = {(double)sphere->x[0], (double)sphere->x[1], (double)sphere->x[2]};
     int count;
     while ((count = bullet_skin_near(skin->patches, center, reach, contacts->triangle,
                                      contacts->contact_room)) >
            contacts->contact_room - contacts->near_count) {
         const size_t room = (size_t)contacts->contact_room;
-        contacts->contact = near_grown(contacts->contact, room, sizeof(Contact));
-        contacts->triangle = near_grown(contacts->triangle, room, sizeof(int));
-        contacts->warm.push = near_grown(contacts->warm.push, room, sizeof(Push));
+        contacts->contact = grown_array(contacts->contact, room, sizeof(Contact));
+        contacts->triangle = grown_array(contacts->triangle, room, sizeof(int));
+        contacts->warm.impulse = grown_array(contacts->warm.impulse, room, sizeof(StoredImpulse));
         contacts->contact_room *= 2;
     }
     return count;
 }
 
-double near_distance(Contacts* contacts, ContactSkin* skin, Sphere* sphere, double far) {
+double broad_phase_distance(Contacts* contacts, ContactSkin* skin, Sphere* sphere, double far) {
     for (double reach = 1.5 * (double)sphere->radius;; reach *= 2) {
-        const int count = near_triangles(contacts, skin, sphere, fmin(reach, far));
+        const int count = broad_phase_triangles(contacts, skin, sphere, fmin(reach, far));
         double distance = far;
         for (int k = 0; k < count; k++) {
             const Contact contact = contact_make(sphere, skin->body, contacts->triangle[k], 1);

@@ -1,4 +1,4 @@
-#include "contact/cross.h"
+#include "contact/triangle_path.h"
 
 static const double never = 2;
 static const int bisections = 60; ///< halve [0, 1] to its last bit
@@ -46,7 +46,7 @@ static int turning_points(const double c[4], double at[2]) {
     return count;
 }
 
-double cross_time(double4 p, double4 dp, const double4 a[3], const double4 da[3]) {
+double triangle_crossing_time(double4 p, double4 dp, const double4 a[3], const double4 da[3]) {
     // the cubic through four of its values
     const double f0 = height(p, dp, a, da, 0), f1 = height(p, dp, a, da, 1.0 / 3);
     const double f2 = height(p, dp, a, da, 2.0 / 3), f3 = height(p, dp, a, da, 1);
@@ -72,7 +72,7 @@ double cross_time(double4 p, double4 dp, const double4 a[3], const double4 da[3]
     return never;
 }
 
-double cross_winding(const Mesh* mesh, const real4* x, double4 point) {
+double winding_number(const Mesh* mesh, const real4* x, double4 point) {
     double sum = 0;
     for (int t = 0; t < mesh->triangle_count; t++) {
         double4 r[3];

@@ -1,4 +1,4 @@
-#include "contact/feature.h"
+#include "contact/shared_feature.h"
 
 #include <stdlib.h>
 
@@ -26,7 +26,7 @@ static int* triangles_around(const Mesh* mesh, int* from) {
     return around;
 }
 
-unsigned char* feature_owners(const Mesh* mesh) {
+unsigned char* shared_feature_owners(const Mesh* mesh) {
     unsigned char* owners = new_array(unsigned char, mesh->triangle_count);
     int* from = new_array(int, mesh->point_count + 1);
     int* around = triangles_around(mesh, from);
@@ -46,11 +46,11 @@ unsigned char* feature_owners(const Mesh* mesh) {
     return owners;
 }
 
-bool feature_owned(const Contact* contact, const unsigned char* owners) {
-    const real* w = contact->weight;
+bool shared_feature_owned(const Contact* contact, const unsigned char* owners) {
+    const real* w = contact->weight + 1; // of the corners: less than 0, or 0
     const int own = owners[contact->triangle];
     for (int k = 0; k < 3; k++) {
-        const bool here = w[k] > 0, next = w[(k + 1) % 3] > 0, last = w[(k + 2) % 3] > 0;
+        const bool here = w[k] < 0, next = w[(k + 1) % 3] < 0, last = w[(k + 2) % 3] < 0;
         if (here && !next && !last)
             return own >> k & 1;
         if (here && next && !last)

@@ -2,16 +2,16 @@
 ///
 /// A ball over a corner is nearest to that same point of all triangles around it. One contact is
 /// enough, the owner's: its nearest point is the corner, or one that is nearer still.
-#ifndef BALLOON_CONTACT_FEATURE_H
-#define BALLOON_CONTACT_FEATURE_H
+#ifndef BALLOON_CONTACT_SHARED_FEATURE_H
+#define BALLOON_CONTACT_SHARED_FEATURE_H
 
 #include "contact/contact.h"
 
 /// What a triangle owns: bit k for corner k, bit 3 + k for the edge from corner k to the next.
 /// [triangle_count], allocated.
-unsigned char* feature_owners(const Mesh* mesh);
+unsigned char* shared_feature_owners(const Mesh* mesh);
 
 /// Whether the contact's triangle owns the corner, edge or inside where the contact is.
-bool feature_owned(const Contact* contact, const unsigned char* owners);
+bool shared_feature_owned(const Contact* contact, const unsigned char* owners);
 
 #endif

@@ -1,19 +1,19 @@
 /// Whether the path of a ball's centre goes through a moving triangle, in double; and on which side
 /// of a closed skin a point is.
-#ifndef BALLOON_CONTACT_CROSS_H
-#define BALLOON_CONTACT_CROSS_H
+#ifndef BALLOON_CONTACT_TRIANGLE_PATH_H
+#define BALLOON_CONTACT_TRIANGLE_PATH_H
 
 #include "body/body.h"
 
 /// The first time in (0, 1] at which the point p + t dp lies in the triangle with corners
 /// a[k] + t da[k]; 2 where it never does. Both paths are straight lines, so the point's height over
 /// the triangle's plane is a cubic in t: its monotone pieces are bisected.
-double cross_time(double4 p, double4 dp, const double4 a[3], const double4 da[3]);
+double triangle_crossing_time(double4 p, double4 dp, const double4 a[3], const double4 da[3]);
 
 /// How often a closed skin winds around a point: 1 inside, 0 outside, where it does not overlap.
 /// Sum of the triangles' solid angles over 4 pi.
 /// Source: A. van Oosterom, J. Strackee, The solid angle of a plane triangle, IEEE Trans. Biomed.
 /// Eng. 30, 1983.
-double cross_winding(const Mesh* mesh, const real4* x, double4 point);
+double winding_number(const Mesh* mesh, const real4* x, double4 point);
 
 #endif
