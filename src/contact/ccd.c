@@ -2,13 +2,13 @@
 
 #include "contact/triangle_path.h"
 
-enum { ROUNDS_MOST = 32 };
-static const double shortest = 1e-9; ///< [s] of a drift
-static const double rounding = 1e-2; ///< [radii] more than the distance to a triangle is off by
+enum { MAX_ITERATIONS = 32 };
+static const double min_drift = 1e-9; ///< [s] of a drift
+static const double rounding = 1e-2;  ///< [radii] more than the distance to a triangle is off by
 
-/// Seen from the ball no point of the triangle goes further than its fastest corner: one that is
-/// further away than that needs no sweep.
-static bool out_of_way(const Contact* c, double h) {
+/// Relative to the ball no point of the triangle moves farther than its fastest corner: a triangle
+/// beyond that distance needs no root.
+static bool out_of_reach(const Contact* c, double h) {
     const double away = dlength(to_double4(c->lever_arm)) - rounding * (double)c->sphere->radius;
     double fastest2 = 0;
     for (int k = 0; k < 3; k++) {
@@ -18,27 +18,27 @@ static bool out_of_way(const Contact* c, double h) {
     return away > 0 && h * h * fastest2 < away * away;
 }
 
-/// The way from x to where a drift puts it, rounding and all: a centre pressed onto a triangle must
-/// not get to the other side by rounding.
-static double4 way(real4 x, real4 v, double h) {
+/// Displacement of a drift as the state's precision rounds it: a centre pressed onto a triangle
+/// must not change sides by rounding.
+static double4 displacement(real4 x, real4 v, double h) {
     return to_double4(x + (real)h * v) - to_double4(x);
 }
 
 bool ccd_passes_through(const Contact* c, double h) {
-    if (out_of_way(c, h))
+    if (out_of_reach(c, h))
         return false;
     double4 a[3], da[3];
     for (int k = 0; k < 3; k++) {
         const real4 x = c->body->x[c->particle[k]];
         a[k] = to_double4(x);
-        da[k] = way(x, c->body->v[c->particle[k]], h);
+        da[k] = displacement(x, c->body->v[c->particle[k]], h);
     }
     const real4 x = c->sphere->x;
-    return triangle_crossing_time(to_double4(x), way(x, c->sphere->v, h), a, da) <= 1;
+    return triangle_crossing_time(to_double4(x), displacement(x, c->sphere->v, h), a, da) <= 1;
 }
 
-/// What the impulses could not solve stops: the ball and the triangle's particles go on together,
-/// with their common linear momentum. A held particle stops them all.
+/// Plastic impact: the ball and the triangle's particles get their common linear momentum's
+/// velocity, 0 if a particle is held.
 static void join(const Contact* c) {
     double mass = (double)c->sphere->mass;
     double4 momentum = mass * to_double4(c->sphere->v);
@@ -55,9 +55,9 @@ static void join(const Contact* c) {
         c->body->v[c->particle[k]] = v;
 }
 
-/// Join what would pass through, until nothing would. False where rounds run out.
+/// Join all pairs that cross until none does. False if the iterations run out.
 static bool stop_all(const Contact* near, int count, double h) {
-    for (int round = 0; round < ROUNDS_MOST; round++) {
+    for (int n = 0; n < MAX_ITERATIONS; n++) {
         bool any = false;
         for (int k = 0; k < count; k++)
             if (ccd_passes_through(&near[k], h)) {
@@ -71,7 +71,7 @@ static bool stop_all(const Contact* near, int count, double h) {
 }
 
 double ccd_stop(const Contact* near, int count, double h) {
-    while (!stop_all(near, count, h) && h > shortest)
+    while (!stop_all(near, count, h) && h > min_drift)
         h /= 2;
     return h;
 }

@@ -1,16 +1,16 @@
-/// Everything that touches: balls and skins, balls and floor, skins and floor.
+/// All contacts of a world: balls and skins, balls and planes, balls and balls, skins and planes.
 ///
-/// A part of a step goes
+/// A substep is
 ///
-///     pace         how long may everything go before contacts are looked at again
+///     safe step    how long until contacts must be found again (conservative advancement)
 ///     kick         velocities under the forces (the caller, solve/)
-///     velocities   balls' weight, Bullet's contacts, skins' contacts: velocities for the drift
+///     velocities   balls' weight, contacts by Bullet, contacts of skins: velocities for the drift
 ///     drift        balls move; the caller moves the skins
 ///
-/// so that nothing passes through: in one part a ball and a skin come at most half a radius nearer
-/// than touching, and the distance to the nearest triangle gives longer parts where nothing is
-/// near. A scene with no ball pays nothing: the pace is what was asked for, and Bullet is not
-/// there.
+/// so that nothing passes through: in one substep a ball and a skin overlap by at most half a radius,
+/// and where no triangle is near, the distance to the nearest one allows longer substeps. A scene
+/// without balls pays nothing: the safe step is the step, and Bullet is not started. The kinds of
+/// pairs are a table (contact/pair.h).
 #ifndef BALLOON_CONTACT_CONTACTS_H
 #define BALLOON_CONTACT_CONTACTS_H
 
@@ -31,7 +31,7 @@ typedef struct ContactSkin {
     double fastest;         ///< speed of its fastest particle in the last drift [m/s]
 } ContactSkin;
 
-/// What is remembered of a ball and a skin.
+/// State of a ball and a skin from substep to substep.
 typedef struct ContactPair {
     int side;      ///< 1: the ball began outside the skin, -1 inside
     int now;       ///< on which side it is now: another than `side` has passed through
@@ -68,21 +68,21 @@ typedef struct Contacts {
 void contacts_open(Contacts* contacts, ContactLaw law, double gravity, const Plane* plane,
                    int plane_count, Body* const* body, const real4* const* before, int body_count);
 
-/// A ball more. It is outside or inside each closed skin, by its winding number, and stays there.
+/// Add a ball. It is outside or inside each closed skin, by its winding number, and stays there.
 void contacts_add(Contacts* contacts, const Sphere* sphere);
 
 /// No balls any more.
 void contacts_clear(Contacts* contacts);
 
-/// How much of h the world may go in its next part [s], greater than 0.
+/// Length of the next substep [s], greater than 0 and at most h.
 double contacts_safe_step(Contacts* contacts, double h);
 
-/// Velocities that respect all contacts in a drift of length h, wherever a ball may touch a skin
-/// that sleeps it is awake; returns how much of h may be drifted, h itself unless the contacts made
-/// something much faster.
+/// Velocities that respect all contacts in a drift of length h. A sleeping skin wakes where a ball
+/// may touch it. Returns how much of h may be drifted: h, unless contacts made something much
+/// faster.
 double contacts_velocities(Contacts* contacts, double h);
 
-/// Count what is about to pass through, and move the balls. Call before the skins drift.
+/// Count the pass-throughs of this drift, and move the balls. Call before the skins drift.
 void contacts_drift(Contacts* contacts, double h);
 
 /// The paper's penalty, if that is the law: call after the skins have drifted.
@@ -92,7 +92,7 @@ void contacts_penalty(Contacts* contacts, double h);
 void contacts_keep(Contacts* contacts);
 void contacts_put_back(Contacts* contacts);
 
-/// The first ball whose place or velocity is not finite, or NONE.
+/// The first ball whose position or velocity is not finite, or NONE.
 int contacts_bad(const Contacts* contacts);
 
 void contacts_close(Contacts* contacts);

@@ -1,7 +1,7 @@
 /// Corners and edges that triangles share: each belongs to the first triangle that has it.
 ///
-/// A ball over a corner is nearest to that same point of all triangles around it. One contact is
-/// enough, the owner's: its nearest point is the corner, or one that is nearer still.
+/// A ball over a corner has the same nearest point on all triangles around it. One contact is
+/// enough: that of the owner, whose nearest point is the corner or a nearer point.
 #ifndef BALLOON_CONTACT_SHARED_FEATURE_H
 #define BALLOON_CONTACT_SHARED_FEATURE_H
 

@@ -1,5 +1,6 @@
 /// Balls and balloons in a world: momenta through a hit, and nothing passes through.
 #include "worlds.h"
+#include "contact/pair.h"
 
 #include "lab/bench/storm.h"
 #include "lab/bench/throw.h"
@@ -286,8 +287,20 @@ static void heavier_balls_are_launched_less_high(void** state) {
     assert_less(top[2], top[1]);
 }
 
+static void each_pair_is_a_row_of_its_own(void** state) {
+    (void)state;
+    for (int r = 0; r < PAIR_ROWS; r++) {
+        const PairRow* row = pair_table[r];
+        assert_true(row->about[0] != 0);
+        assert_true(row->safe_step || row->stop); // else nothing would keep the two apart
+        for (int other = 0; other < r; other++)
+            assert_string_not_equal(row->name, pair_table[other]->name);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_pair_is_a_row_of_its_own),
         cmocka_unit_test(rubber_bounces_a_ball_by_every_method_that_takes_it),
         cmocka_unit_test(a_hit_keeps_momenta),
         cmocka_unit_test(nothing_passes_through),

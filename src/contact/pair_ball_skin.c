@@ -1,0 +1,141 @@
+#include <math.h>
+
+#include "contact/broad_phase.h"
+#include "contact/ccd.h"
+#include "contact/pair.h"
+#include "contact/shared_feature.h"
+
+static const double min_drift = 0.05; ///< [radii] that a drift may always close
+static const double core = 0.25;      ///< [radii] around the centre that no triangle may enter
+static const double slack = 0.05;     ///< [radii] added to the distance that speeds can close
+static const real bounce_kicks = 4;   ///< [kicks] slowest bounce: it lasts 8 substeps
+
+/// Looks at the triangles only where the boxes do not rule the skin out.
+static double safe_step_to_skin(Contacts* contacts, ContactSkin* skin, Sphere* sphere, double h) {
+    const double radius = (double)sphere->radius;
+    const double speed = (double)length(sphere->v) + contacts->gravity * h + skin->fastest;
+    const double reach = radius + speed * h;
+    if (speed * h <= pair_max_overlap * radius ||
+        broad_phase_box_distance(skin, to_double4(sphere->x)) >= reach)
+        return h;
+    broad_phase_refit(skin);
+    if (broad_phase_box_distance(skin, to_double4(sphere->x)) >= reach)
+        return h;
+    const double distance = broad_phase_distance(contacts, skin, sphere, reach);
+    return fmin(h, fmax(pair_max_overlap * radius, distance - radius) / speed);
+}
+
+static double safe_step(Contacts* contacts, int ball, double h, double safe) {
+    (void)h;
+    for (int b = 0; b < contacts->skin_count; b++)
+        safe = fmin(safe,
+                    safe_step_to_skin(contacts, &contacts->skin[b], &contacts->sphere[ball], safe));
+    return safe;
+}
+
+/// Largest speed of a triangle's corners relative to the ball [m/s].
+static double max_relative_speed(const Contact* c) {
+    real fastest = 0;
+    for (int k = 0; k < 3; k++) {
+        const real4 v = c->sphere->v - c->body->v[c->particle[k]];
+        fastest = real_max(fastest, dot(v, v));
+    }
+    return sqrt((double)fastest);
+}
+
+/// Approach speed that the kick of this substep and the ball's weight alone gave: a contact at rest
+/// has it, too.
+static real kick_speed(const Contact* c, const real4* before, real fall) {
+    real4 skin = {0, fall, 0, 0};
+    for (int k = 0; k < 3; k++)
+        skin -= c->weight[k + 1] * (c->body->v[c->particle[k]] - before[c->particle[k]]);
+    return real_max(0, dot(c->normal, skin));
+}
+
+/// Contacts of the near triangles of one pair. Those that may touch in a drift of length h go to the
+/// front of the list, for the solver; the others stay behind them, for the limits of the drift.
+static void gather_pair(Contacts* contacts, int s, int b, double h) {
+    const int number = s * contacts->skin_count + b;
+    ContactPair* pair = &contacts->pair[number];
+    ContactSkin* skin = &contacts->skin[b];
+    Sphere* sphere = &contacts->sphere[s];
+    const double radius = (double)sphere->radius;
+    const double speed = (double)length(sphere->v) + skin->fastest;
+    const double reach = (1 + slack) * radius + 2 * speed * h;
+    const real fall = (real)(h * contacts->gravity);
+    bool touching = false;
+    pair->seen = fmax(reach, broad_phase_box_distance(skin, to_double4(sphere->x)));
+    const int count =
+        pair->seen <= reach ? broad_phase_triangles(contacts, skin, sphere, reach) : 0;
+    for (int k = 0; k < count; k++) {
+        Contact contact = contact_make(sphere, skin->body, contacts->triangle[k], (real)pair->side);
+        contact.pair = number;
+        contact.first = !pair->touching;
+        touching |= contact.gap <= (real)1e-3 * sphere->radius;
+        Contact* end = &contacts->contact[contacts->near_count++];
+        *end = contact;
+        const double closed = 1.5 * max_relative_speed(&contact) * h + slack * radius;
+        if ((double)contact.gap <= closed && shared_feature_owned(&contact, skin->owners)) {
+            *end = contacts->contact[contacts->contact_count];
+            if (contact.first)
+                contact.min_bounce_speed = bounce_kicks * kick_speed(&contact, skin->before, fall);
+            else
+                warm_start_load(&contacts->warm, &contact, h);
+            contacts->contact[contacts->contact_count++] = contact;
+            body_wake(skin->body);
+        }
+    }
+    pair->touching = touching;
+}
+
+static void gather(Contacts* contacts, double h) {
+    for (int s = 0; s < contacts->sphere_count; s++)
+        for (int b = 0; b < contacts->skin_count; b++)
+            gather_pair(contacts, s, b, h);
+}
+
+/// The solve may have made things faster than they were when the near triangles were gathered: how
+/// much of h may be drifted so that no triangle that was not gathered enters the core of a ball.
+static double limit_by_unseen(Contacts* contacts, double h) {
+    for (int b = 0; b < contacts->skin_count; b++)
+        contacts->skin[b].fastest = broad_phase_max_speed(contacts->skin[b].body);
+    for (int s = 0; s < contacts->sphere_count; s++)
+        for (int b = 0; b < contacts->skin_count; b++) {
+            Sphere* sphere = &contacts->sphere[s];
+            const double seen = contacts->pair[s * contacts->skin_count + b].seen;
+            const double speed = (double)length(sphere->v) + contacts->skin[b].fastest;
+            const double path = speed * h + core * (double)sphere->radius;
+            if (path <= seen)
+                continue;
+            const double distance =
+                broad_phase_distance(contacts, &contacts->skin[b], sphere, path);
+            h = fmin(h, (fmax(seen, distance) - core * (double)sphere->radius) / speed);
+        }
+    return h;
+}
+
+/// How much of h may be drifted so that no gathered triangle enters the core of a ball.
+static double limit_by_near(const Contacts* contacts, double h) {
+    for (int k = 0; k < contacts->near_count; k++) {
+        const Contact* c = &contacts->contact[k];
+        const double radius = (double)c->sphere->radius;
+        const double closable = fmax(min_drift * radius, (double)c->gap + (1 - core) * radius);
+        const double speed = max_relative_speed(c);
+        if (speed * h > closable)
+            h = closable / speed;
+    }
+    return h;
+}
+
+static double limit_drift(Contacts* contacts, double h) {
+    h = ccd_stop(contacts->contact, contacts->near_count, limit_by_near(contacts, h));
+    return limit_by_unseen(contacts, h);
+}
+
+const PairRow pair_ball_skin = {
+    .name = "ball-skin",
+    .about = "a ball and the nearest points of a skin's triangles",
+    .safe_step = safe_step,
+    .gather = gather,
+    .limit_drift = limit_drift,
+};
