@@ -2,9 +2,10 @@
 # make run      install what is missing, build, open the default scene (or render it to out/)
 # make test     install what is missing, build, run all tests in both precisions
 #               ONLY=contact: those with the word in their name
-# make check    format, include layers, headers alone, warnings as errors with gcc and clang, state
-#               hashes of all scenes with both, all tests under the address and undefined-behavior
-#               sanitizers, those of threads under the thread sanitizer; ONLY as above
+# make check    format, include layers, sizes and names, headers alone, warnings as errors with gcc and
+#               clang, state hashes of all scenes with both, all tests under the address and
+#               undefined-behavior sanitizers, those of threads under the thread sanitizer; ONLY as above
+# make tidy     clang-tidy with the checks of src/.clang-tidy
 # make golden   write tests/golden/hashes.csv anew, after a change of bits on purpose
 # make chart    chart speed against accuracy to out/chart, and the README files' picture and table
 # make bench    measure and print speed, and what every shipped scene needs
@@ -21,6 +22,7 @@ BUILD_PACKAGES := gcc g++ pkg-config libassimp-dev libyaml-dev libcglm-dev libim
 RUN_PACKAGES   := libegl1 libgl1 libgl1-mesa-dri ffmpeg gnuplot-nox
 TEST_PACKAGES  := libcmocka-dev xvfb xdotool imagemagick
 CHECK_PACKAGES := clang clang-format
+TIDY_PACKAGES  := clang-tidy
 LIBRARIES      := assimp yaml-0.1 cglm imgui glfw3 egl opengl libpng bullet bullet-float64 CHOLMOD
 
 BUILD    ?= build
@@ -52,7 +54,7 @@ ONLY    ?=
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
 SCENE   ?=
 
-.PHONY: all help run test check golden bench chart format clean install programs tests tests-syntax \
+.PHONY: all help run test check tidy golden bench chart format clean install programs tests tests-syntax \
     packages-build packages-run packages-test packages-check headers
 .DELETE_ON_ERROR:
 
@@ -80,6 +82,7 @@ check: packages-build packages-run packages-test packages-check
 	@tests/layers.sh
 	@$(MAKE) --no-print-directory -j$(JOBS) headers
 	@$(MAKE) --no-print-directory -j$(JOBS) EXTRA=$(or $(EXTRA),-Werror) programs
+	@tests/structure.sh $(BUILD)
 	@JOBS=$(JOBS) tests/hashes.sh check $(BUILD)
 	@echo "clang, warnings as errors"
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ EXTRA=-Werror \
@@ -92,6 +95,11 @@ check: packages-build packages-run packages-test packages-check
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/sanitized \
 	    EXTRA="-Werror -fsanitize=address,undefined -fno-sanitize-recover=all" programs tests
 	@JOBS=$(JOBS) tests/run.sh build/sanitized $(ONLY)
+
+tidy:
+	$(call install_missing,$(BUILD_PACKAGES) $(TIDY_PACKAGES),$(LIBRARIES),clang-tidy)
+	@find src -name '*.c' | sort | xargs -P $(JOBS) -n 10 sh -c 'clang-tidy --quiet "$$@" -- \
+	    -std=c17 -Isrc -D_POSIX_C_SOURCE=200809L $(includes) 2>/dev/null' clang-tidy
 
 golden:
 	$(call say_missing,$(BUILD_PACKAGES),$(LIBRARIES),gcc g++ pkg-config)

@@ -3,7 +3,7 @@
 #include "base/cpu.h"
 #include "base/crew.h"
 
-static const ExtentKernels* kernels(void) {
+static const ExtentKernels* best_kernels(void) {
 #ifdef __x86_64__
     if (cpu_is_v3())
         return &extent_v3;
@@ -34,7 +34,7 @@ static int part_from(const Job* job, int part) {
 static void part_extent(void* self, int part) {
     const Job* job = self;
     const int from = part_from(job, part), to = part_from(job, part + 1);
-    job->extent[part] = kernels()->extent(&job->a[from], to - from);
+    job->extent[part] = best_kernels()->extent(&job->a[from], to - from);
 }
 
 Extent extent_of(const real4* a, int count) {
@@ -53,7 +53,7 @@ Extent extent_of(const real4* a, int count) {
 static void part_within(void* self, int part) {
     const Job* job = self;
     const int from = part_from(job, part), to = part_from(job, part + 1);
-    job->within[part] = kernels()->within(&job->a[from], to - from, job->most);
+    job->within[part] = best_kernels()->within(&job->a[from], to - from, job->most);
 }
 
 bool all_within(const real4* a, int count, real most) {

@@ -18,7 +18,7 @@
 typedef enum SpringKind { STRUCTURAL, SHEAR, FLEXION, SPRING_KINDS } SpringKind;
 extern const char* const spring_kind_name[SPRING_KINDS];
 
-/// How the force grows with the stretch l = length / rest (force/springs.h).
+/// How the force grows with the stretch l = length / rest (force/springs.c).
 typedef enum SpringLaw { LAW_HOOKE, LAW_RUBBER, LAW_TENSION, SPRING_LAWS } SpringLaw;
 extern const char* const spring_law_name[SPRING_LAWS];
 

@@ -33,7 +33,7 @@ void volume_constraint_open(VolumeConstraint* preserve, const Body* body) {
         preserve->share[e] = 0; // there is room up to the next eight
 }
 
-static const PreserveKernels* kernels(void) {
+static const PreserveKernels* best_kernels(void) {
 #ifdef __x86_64__
     if (cpu_is_v3())
         return &volume_constraint_kernels_v3;
@@ -46,7 +46,7 @@ static double constraint(const Membrane* membrane, VolumeConstraint* preserve, c
                          int count, double* sum) {
     memset(preserve->gradient, 0, (size_t)count * sizeof *preserve->gradient);
     *sum = 0;
-    const double volume = kernels()->volume(membrane, preserve, x, sum);
+    const double volume = best_kernels()->volume(membrane, preserve, x, sum);
     for (int i = 0; i < count; i++) {
         const real4 g = preserve->gradient[i];
         *sum += (double)(preserve->weight[i] * dot(g, g));
@@ -60,7 +60,7 @@ static void move(const Membrane* membrane, VolumeConstraint* preserve, const rea
     real4* restrict way = preserve->gradient;
     for (int i = 0; i < count; i++)
         way[i] *= lambda * preserve->weight[i];
-    kernels()->rise(membrane, preserve, x, lambda);
+    best_kernels()->rise(membrane, preserve, x, lambda);
     for (int i = 0; i < count; i++)
         preserve->moved[i] += way[i];
 }

@@ -112,8 +112,9 @@ static void cast_triangle(const Cast* cast, const float* a, const float* b, cons
     for (int i = 0; i < n; i++)
         for (int j = 0; j < 2 * (n - i) - 1; j++) {
             // upright small triangles at even j, those on their tip between them at odd
-            const float s = (float)(3 * i + 1 + j % 2) * third;
-            const float t = (float)(3 * (j / 2) + 1 + j % 2) * third;
+            const int tip = j % 2, column = j / 2;
+            const float s = (float)(3 * i + 1 + tip) * third;
+            const float t = (float)(3 * column + 1 + tip) * third;
             const float p[3] = {a[0] + s * u[0] + t * v[0], a[1] + s * u[1] + t * v[1],
                                 a[2] + s * u[2] + t * v[2]};
             cast_piece(cast, p, share * sky, share * key, absorbed);

@@ -92,7 +92,8 @@ void sheet_discs(MeshSource* source, int rings, int sectors) {
     sheet_disc(source, rings, sectors);
     for (int i = 0; i < source->point_count; i++) {
         // the radius by its ring, so that the rim's height is zero exactly
-        const double radius = i == 0 ? 0 : (double)((i - 1) / sectors + 1) / rings;
+        const int ring = i == 0 ? 0 : (i - 1) / sectors + 1;
+        const double radius = (double)ring / rings;
         source->point[i][1] = BULGE * (1 - radius * radius);
     }
     sew_to_mirror_image(source);

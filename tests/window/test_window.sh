@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # The window: opened under Xvfb, played with keys and mouse by xdotool, seen through its screenshots.
-# Nothing here waits for a time: it waits for what must happen, at most PATIENCE seconds.
+# Nothing here waits for a time: it waits for an event, or for the end of the program that should cause
+# it. PATIENCE [s] only ends a run that hangs; however slow the machine, no test fails for its speed.
 set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh
-PATIENCE=${PATIENCE:-60}
+PATIENCE=${PATIENCE:-600}
 # Mesa leaves 112 bytes when the window library unloads it, and what a driver leaks cannot be told
 # apart then; our own leaks show in the headless tests
 export ASAN_OPTIONS=detect_leaks=0
@@ -12,10 +13,15 @@ unset LSAN_OPTIONS
 xvfb='' player=''
 trap '[ -z "$player" ] || kill "$player"; [ -z "$xvfb" ] || kill "$xvfb"; wait; rm -rf "$scratch"' EXIT
 
-# until command…: it succeeds before patience ends
+# until_true command…: it succeeds while the program runs, before patience ends
 until_true() {
     local end=$((SECONDS + PATIENCE))
     until "$@" 2>/dev/null; do
+        if [ -n "$player" ] && ! kill -0 "$player" 2>/dev/null; then # it may have been its last act
+            "$@" 2>/dev/null && return
+            echo "  the program ended before: $*"
+            return 1
+        fi
         [ $SECONDS -lt $end ] || { echo "  waited in vain for: $*"; return 1; }
         sleep 0.05
     done
@@ -35,7 +41,7 @@ open_display() {
         xvfb=$!
         until_true grep -q '[0-9]' "$scratch/display"
         export DISPLAY=:$(cat "$scratch/display")
-        PATIENCE=10 until_true xdotool getdisplaygeometry >"$scratch/geometry" && return
+        PATIENCE=60 until_true xdotool getdisplaygeometry >"$scratch/geometry" && return
         kill "$xvfb" 2>/dev/null
         wait "$xvfb" 2>/dev/null
         xvfb=''

@@ -183,7 +183,7 @@ static bool ask_all(const AskedScene* asked, double factor, bool quick, Tally* t
     return good;
 }
 
-static bool run(const BenchOptions* options, Fault* fault) {
+static bool measure(const BenchOptions* options, Fault* fault) {
     const bool quick = options->quick;
     Tally tally = {0};
     puts("scene,asked_error,asked_ms,method,level,step,precision,expected_error,measured_error,"
@@ -205,5 +205,5 @@ static bool run(const BenchOptions* options, Fault* fault) {
 const BenchCase bench_advise = {
     .name = "advise",
     .about = "whether advice keeps its word on closed forms",
-    .run = run,
+    .run = measure,
 };

@@ -179,7 +179,7 @@ static bool time_peer(int c, int quick, Cost* cost, Fault* fault) {
     return true;
 }
 
-static bool run(const BenchOptions* options, Fault* fault) {
+static bool measure(const BenchOptions* options, Fault* fault) {
     const int side = size_table[options->quick].side;
     printf("%d triangles, step %g s; CPU time in ms a step\n", 12 * side * side, step_length);
     printf("%-12s | %8s %8s %8s %17s %6s | %30s\n", "", "", "", "all of", "contacts alone", "", "");
@@ -218,5 +218,5 @@ const BenchCase bench_contact_cost = {
     .name = "contact-cost",
     .about = "time of contacts in a step, beside Bullet's own soft body",
     .timed = true,
-    .run = run,
+    .run = measure,
 };

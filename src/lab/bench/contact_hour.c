@@ -9,7 +9,7 @@
 
 enum { SEED = 1, ROWS = 12, MINUTES_A_ROW = 5 };
 
-static bool run(const BenchOptions* options, Fault* fault) {
+static bool measure(const BenchOptions* options, Fault* fault) {
     Storm storm;
     if (!storm_open(&storm, SEED, fault))
         return false;
@@ -46,5 +46,5 @@ static bool run(const BenchOptions* options, Fault* fault) {
 const BenchCase bench_contact_hour = {
     .name = "contact-hour",
     .about = "an hour of random throws at a balloon that is blown up and let out",
-    .run = run,
+    .run = measure,
 };

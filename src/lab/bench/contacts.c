@@ -126,7 +126,7 @@ static bool throw_all(int side, bool quick, Sum* sum, Fault* fault) {
     return true;
 }
 
-static bool run(const BenchOptions* options, Fault* fault) {
+static bool measure(const BenchOptions* options, Fault* fault) {
     long through = 0;
     int bad = 0;
     printf("%8s %8s %14s %12s %16s %24s\n", "quads", "throws", "pass-throughs", "went bad",
@@ -151,5 +151,5 @@ static bool run(const BenchOptions* options, Fault* fault) {
 const BenchCase bench_contacts = {
     .name = "contacts",
     .about = "a matrix of balls thrown at a balloon; none may pass through",
-    .run = run,
+    .run = measure,
 };

@@ -12,7 +12,7 @@
 #include "base/real.h"
 
 /// The processor's name, of letters, digits and dashes.
-static void machine_name(char name[128]) {
+static void machine_file_name(char name[128]) {
     char line[256];
     snprintf(name, 128, "machine");
     FILE* in = fopen("/proc/cpuinfo", "r");
@@ -65,7 +65,7 @@ static void read_kept(Figures* figures) {
 
 void figures_open(Figures* figures, const char* bench) {
     *figures = (Figures){.count = 0};
-    machine_name(figures->machine);
+    machine_file_name(figures->machine);
     kept_path(figures->kept_path, bench, figures->machine);
     read_kept(figures);
 }

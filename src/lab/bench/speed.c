@@ -153,7 +153,7 @@ static void step_peer(void* self) {
     peer_step(step->peer, step->h);
 }
 
-static bool open_world(const SpeedCase* c, int side, World* world, Fault* fault) {
+static bool open_case(const SpeedCase* c, int side, World* world, Fault* fault) {
     char model[64], step[64];
     snprintf(model, sizeof model, "balloons.0.model=cube-sphere:%d", side);
     snprintf(step, sizeof step, "step=%.17g", c->step / side);
@@ -181,7 +181,7 @@ static bool measure_case(Figures* figures, const SpeedCase* c, int side, const M
                          int rounds, Fault* fault) {
     const double before = memory_now();
     World world;
-    if (!open_world(c, side, &world, fault))
+    if (!open_case(c, side, &world, fault))
         return false;
     const Body* body = &world.balloon[0].body;
     const int n = body->count, parts = body->springs.count + body->membrane.count;
@@ -252,7 +252,7 @@ static bool measure_load(Figures* figures, bool quick, Fault* fault) {
     snprintf(path, sizeof path, "%s/skin.obj", folder);
     FILE* out = made ? fopen(path, "w") : NULL;
     World world;
-    if (!out || !open_world(&case_table[0], side, &world, fault))
+    if (!out || !open_case(&case_table[0], side, &world, fault))
         return fault_set(fault, path, "cannot be written");
     probe_obj(&world, out);
     fclose(out);
@@ -275,7 +275,7 @@ static bool measure_load(Figures* figures, bool quick, Fault* fault) {
     return true;
 }
 
-static bool run(const BenchOptions* options, Fault* fault) {
+static bool measure(const BenchOptions* options, Fault* fault) {
     const int rounds = options->quick ? ROUNDS_QUICK : ROUNDS;
     figures_head(options->figures);
     const Machine machine = measure_machine(options->figures, rounds);
@@ -294,5 +294,5 @@ const BenchCase bench_speed = {
         "a step of springs and of rubber, 1,000 to a million particles, beside Bullet's and the "
         "machine's limits",
     .timed = true,
-    .run = run,
+    .run = measure,
 };

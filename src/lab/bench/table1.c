@@ -118,7 +118,7 @@ static bool run_row(int row, int effort, int frames, Row* done, Fault* fault) {
     return true;
 }
 
-static bool run(const BenchOptions* options, Fault* fault) {
+static bool measure(const BenchOptions* options, Fault* fault) {
     static Row done[EFFORTS][ROWS];
     for (int effort = 0; effort < EFFORTS; effort++) {
         printf("%s\n%-18s %8s %8s %7s %9s %9s %7s %7s %9s %14s %8s\n", effort_table[effort].about,
@@ -146,5 +146,5 @@ const BenchCase bench_table1 = {
     .name = "table1",
     .about = "the thin-shell paper's Table 1: ms a frame for five skins of rubber",
     .timed = true,
-    .run = run,
+    .run = measure,
 };

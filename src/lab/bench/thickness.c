@@ -47,7 +47,7 @@ static Look look_at(const World* world, int b) {
     return look;
 }
 
-static bool run(const BenchOptions* options, Fault* fault) {
+static bool measure(const BenchOptions* options, Fault* fault) {
     const bool quick = options->quick;
     const SceneSet set[SKINS] = {{"balloons.0.model=teddy.obj"},
                                  {"balloons.1.model=teddy.obj"},
@@ -81,5 +81,5 @@ static bool run(const BenchOptions* options, Fault* fault) {
 const BenchCase bench_thickness = {
     .name = "thickness",
     .about = "the thin-shell paper's figure 7: skins of 0.3, 0.2 and 0.1 mm with the same gas",
-    .run = run,
+    .run = measure,
 };

@@ -259,7 +259,8 @@ bool trial_follow(Trial* trial, int steps, Verdict* verdict, double* growth) {
     double explained;
     const double slope = fit_slope(&trial->later, &explained);
     *growth = slope / h;
-    const bool grows = slope * (trial->steps / 2) > told && explained > line;
+    const int half = trial->steps / 2;
+    const bool grows = slope * half > told && explained > line;
     *verdict = grows ? VERDICT_WOBBLING : VERDICT_STABLE;
     return true;
 }

@@ -6,7 +6,7 @@
 #include "base/cpu.h"
 #include "base/memory.h"
 
-static const CoarsestKernels* kernels(void) {
+static const CoarsestKernels* best_kernels(void) {
 #ifdef __x86_64__
     if (cpu_is_v3())
         return &coarsest_kernels_v3;
@@ -50,14 +50,14 @@ void coarsest_follow(Coarsest* coarsest, const BlockMatrix* matrix) {
                         matrix->value[k].column[n][row % 3];
             }
     }
-    kernels()->factor(coarsest);
+    best_kernels()->factor(coarsest);
 }
 
 void coarsest_solve(const Coarsest* coarsest, int rows, const real4* b, real4* x) {
     real* y = coarsest->y;
     for (int i = 0; i < 3 * rows; i++)
         y[i] = b[i / 3][i % 3];
-    kernels()->solve(coarsest, y);
+    best_kernels()->solve(coarsest, y);
     for (int i = 0; i < rows; i++)
         x[i] = (real4){y[3 * i], y[3 * i + 1], y[3 * i + 2], 0};
 }
