@@ -236,7 +236,9 @@ xdotool keyup Up key BackSpace
 ok "so has the scene that comes back" until_true logs 3
 ok "the log says what the cell is" test "$(how "$scratch/log.2" | grep -c "guard=\"off\".*step=0.00141.*structural=100")" = 1
 ok "a run with that replays it to the same bits" again "$scratch/log.2"
-ok "the log before is whole" again "$scratch/log"
+# on a busy machine the cell is opened before the first step; then there is nothing to replay
+whole() { grep -q '^# 0 steps of ' "$1" || again "$1"; }
+ok "the log before is whole" whole "$scratch/log"
 exploded() { # a point of the map that is of the colour of cells that exploded
     shot && convert "$file" txt:- | grep -im1 '#CB181D' >"$scratch/point"
 }
