@@ -3,24 +3,27 @@
 
 #define ALWAYS inline __attribute__((always_inline))
 
-/// Constraints now: the direction in which their length grows, their pull over the stiffness,
-/// and how that grows. One of no length pulls nowhere: its direction is zero.
+/// Geometry of springs at present positions.
 typedef struct Stretched {
-    Lanes3 n;
+    Lanes3 n;          ///< direction in which the length grows; zero where the length is zero
     lanes pull, slope; ///< C C' [m], C'^2 [1]
-    lanes now;         ///< length [m], greater than 0
+    lanes length_now;  ///< [m], greater than 0
 } Stretched;
 
 static ALWAYS Stretched stretched(Lanes3 d, lanes rest, SpringLaw law) {
-    const lanes now = lanes_sqrt(lanes3_dot(d, d) + REAL_LEAST), over = now - rest;
+    const lanes length_now = lanes_sqrt(lanes3_dot(d, d) + REAL_LEAST);
+    const lanes over = length_now - rest;
     const lanes one = 1 + (lanes){0}, none = {0};
-    Stretched s = {.n = lanes3_times(one / now, d), .pull = over, .slope = one, .now = now};
+    Stretched s = {.n = lanes3_times(one / length_now, d),
+                   .pull = over,
+                   .slope = one,
+                   .length_now = length_now};
     if (law == LAW_TENSION) {
         s.pull = lanes_select(over < 0, none, s.pull);
         s.slope = lanes_select(over < 0, none, s.slope);
     }
     if (law == LAW_RUBBER) {
-        const lanes l = now / rest, r2 = one / (l * l), root = (2 * l * l + 1) / 12;
+        const lanes l = length_now / rest, r2 = one / (l * l), root = (2 * l * l + 1) / 12;
         const lanes c1 = l * (1 + r2 + r2 * r2) / 6; // C' root^(1/2)
         s.pull = lanes_select(over > 0, rest * (1 - r2) * c1, s.pull);
         s.slope = lanes_select(over > 0, c1 * c1 / root, s.slope);
@@ -28,22 +31,23 @@ static ALWAYS Stretched stretched(Lanes3 d, lanes rest, SpringLaw law) {
     return s;
 }
 
-/// dP of constraints that have given P so far.
-static ALWAYS Lanes3 change(const Stretched* s, lanes stiff, lanes weight, Lanes3 given) {
-    const lanes along = lanes3_dot(given, s->n);
-    const Lanes3 aside = lanes3_minus(given, lanes3_times(along, s->n));
-    const lanes turned = lanes_higher(stiff * s->pull / s->now, (lanes){0});
-    const lanes push = (along + stiff * s->pull) / (1 + stiff * s->slope * weight);
-    const lanes back = 1 / (1 + turned * weight);
-    return lanes3_minus((Lanes3){-push * s->n.x, -push * s->n.y, -push * s->n.z},
-                        lanes3_times(back, aside));
+/// dP of springs with the impulses P so far; `stiff` = h^2 k.
+static ALWAYS Lanes3 impulse_change(const Stretched* s, lanes stiff, lanes weight, Lanes3 impulse) {
+    const lanes along = lanes3_dot(impulse, s->n);
+    const Lanes3 across = lanes3_minus(impulse, lanes3_times(along, s->n));
+    const lanes stiff_across = lanes_higher(stiff * s->pull / s->length_now, (lanes){0});
+    const lanes change_along = (along + stiff * s->pull) / (1 + stiff * s->slope * weight);
+    const lanes factor_across = 1 / (1 + stiff_across * weight);
+    return lanes3_minus(
+        (Lanes3){-change_along * s->n.x, -change_along * s->n.y, -change_along * s->n.z},
+        lanes3_times(factor_across, across));
 }
 
-static ALWAYS void scatter(real4* u, const uint32_t* place, Lanes3 v, int filled) {
+static ALWAYS void scatter(real4* u, const uint32_t* offset, Lanes3 v, int filled) {
     real4 out[WIDE];
     lanes3_store(out, v);
     for (int k = 0; k < WIDE && k < filled; k++)
-        *(real4*)((char*)u + place[k]) = out[k];
+        *(real4*)((char*)u + offset[k]) = out[k];
 }
 
 static ALWAYS void relax(Batches* batches, SpringLaw law, const real4* restrict x,
@@ -58,15 +62,16 @@ static ALWAYS void relax(Batches* batches, SpringLaw law, const real4* restrict 
         const Lanes3 d = lanes3_plus(lanes3_minus(lanes3_gather(x, j), lanes3_gather(x, i)),
                                      lanes3_minus(uj, ui));
         const Stretched now = stretched(d, lanes_load(&batches->rest[b][lane]), law);
-        const Lanes3 given = {lanes_load(&impulse[0][lane]), lanes_load(&impulse[1][lane]),
-                              lanes_load(&impulse[2][lane])};
-        const Lanes3 by = change(&now, lanes_load(&batches->stiff[b][lane]), wi + wj, given);
-        const Lanes3 all = lanes3_plus(given, by);
-        lanes_store(&impulse[0][lane], all.x);
-        lanes_store(&impulse[1][lane], all.y);
-        lanes_store(&impulse[2][lane], all.z);
-        scatter(u, i, lanes3_minus(ui, lanes3_times(wi, by)), batches->filled[b] - lane);
-        scatter(u, j, lanes3_plus(uj, lanes3_times(wj, by)), batches->filled[b] - lane);
+        const Lanes3 before = {lanes_load(&impulse[0][lane]), lanes_load(&impulse[1][lane]),
+                               lanes_load(&impulse[2][lane])};
+        const Lanes3 change =
+            impulse_change(&now, lanes_load(&batches->stiff[b][lane]), wi + wj, before);
+        const Lanes3 after = lanes3_plus(before, change);
+        lanes_store(&impulse[0][lane], after.x);
+        lanes_store(&impulse[1][lane], after.y);
+        lanes_store(&impulse[2][lane], after.z);
+        scatter(u, i, lanes3_minus(ui, lanes3_times(wi, change)), batches->filled[b] - lane);
+        scatter(u, j, lanes3_plus(uj, lanes3_times(wj, change)), batches->filled[b] - lane);
     }
 }
 

@@ -1,5 +1,4 @@
-/// A round over batches of springs, in as many compilations as there are kinds of machine
-/// (base/cpu.h).
+/// An iteration over batches of springs, compiled once for each kind of machine (base/cpu.h).
 #ifndef BALLOON_SOLVE_BATCH_KERNEL_H
 #define BALLOON_SOLVE_BATCH_KERNEL_H
 

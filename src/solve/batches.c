@@ -9,21 +9,21 @@
 
 enum { WINDOW = 32 };
 
-/// The batches that still take springs: window place w is batch `number[w]`; a particle's bit w is
-/// set where that batch has it.
+/// The open batches. Slot w holds batch number[w]; a particle's bit w is set where a spring of that
+/// batch ends at it.
 typedef struct Window {
     int number[WINDOW];
-    uint32_t* taken; ///< [particles]
+    uint32_t* used; ///< [particles]
 } Window;
 
-static void clear_place(Window* window, int w, const Springs* springs, const Batches* batches) {
+static void clear_slot(Window* window, int w, const Springs* springs, const Batches* batches) {
     const int batch = window->number[w];
     for (int k = 0; k < batches->filled[batch]; k++)
         for (int e = 0; e < 2; e++)
-            window->taken[springs->end[batches->spring[batch][k]][e]] &= ~(1u << w);
+            window->used[springs->end[batches->spring[batch][k]][e]] &= ~(1u << w);
 }
 
-static void put(Batches* batches, int batch, int s, const Springs* springs) {
+static void add_spring(Batches* batches, int batch, int s, const Springs* springs) {
     const int lane = batches->filled[batch]++;
     batches->spring[batch][lane] = s;
     batches->rest[batch][lane] = springs->rest[s];
@@ -31,18 +31,18 @@ static void put(Batches* batches, int batch, int s, const Springs* springs) {
         batches->end[batch][e][lane] = (uint32_t)((size_t)springs->end[s][e] * sizeof(real4));
 }
 
-/// Which place of the window takes a spring whose ends have these bits; the oldest batch makes room
-/// where none does.
-static int place_for(uint32_t taken, int* oldest) {
-    if (~taken)
-        return __builtin_ctz(~taken);
+/// The slot for a spring whose ends have these bits set: the first clear bit w, or, where all are
+/// set, -1 - w for the slot w of the oldest batch, which must close.
+static int find_slot(uint32_t used, int* oldest) {
+    if (~used)
+        return __builtin_ctz(~used);
     const int w = *oldest;
     *oldest = (w + 1) % WINDOW;
     return -1 - w;
 }
 
-/// Leave out the batches that got no spring, and make room for what a step needs.
-static void close_up(Batches* batches) {
+/// Remove the empty batches, and allocate the arrays of a step.
+static void compact(Batches* batches) {
     int count = 0;
     for (int b = 0; b < batches->count; b++) {
         if (batches->filled[b] == 0)
@@ -62,33 +62,33 @@ static void close_up(Batches* batches) {
 }
 
 void batches_make(Batches* batches, const Springs* springs, int particles) {
-    const int room = springs->count + WINDOW;
-    *batches = (Batches){.filled = new_array(int, room),
-                         .spring = new_array(int[LANES], room),
-                         .end = new_array(uint32_t[2][LANES], room),
-                         .rest = new_array(real[LANES], room)};
-    Window window = {.taken = new_array(uint32_t, particles)};
+    const int capacity = springs->count + WINDOW;
+    *batches = (Batches){.filled = new_array(int, capacity),
+                         .spring = new_array(int[LANES], capacity),
+                         .end = new_array(uint32_t[2][LANES], capacity),
+                         .rest = new_array(real[LANES], capacity)};
+    Window window = {.used = new_array(uint32_t, particles)};
     for (int w = 0; w < WINDOW; w++)
         window.number[w] = batches->count++;
     int oldest = 0;
     for (int s = 0; s < springs->count; s++) {
         const int i = springs->end[s][0], j = springs->end[s][1];
-        int w = place_for(window.taken[i] | window.taken[j], &oldest);
+        int w = find_slot(window.used[i] | window.used[j], &oldest);
         if (w < 0) {
             w = -1 - w;
-            clear_place(&window, w, springs, batches);
+            clear_slot(&window, w, springs, batches);
             window.number[w] = batches->count++;
         }
-        put(batches, window.number[w], s, springs);
-        window.taken[i] |= 1u << w;
-        window.taken[j] |= 1u << w;
+        add_spring(batches, window.number[w], s, springs);
+        window.used[i] |= 1u << w;
+        window.used[j] |= 1u << w;
         if (batches->filled[window.number[w]] == LANES) {
-            clear_place(&window, w, springs, batches);
+            clear_slot(&window, w, springs, batches);
             window.number[w] = batches->count++;
         }
     }
-    free(window.taken);
-    close_up(batches);
+    free(window.used);
+    compact(batches);
 }
 
 void batches_begin(Batches* batches, const Springs* springs, const real* weight, real h2) {

@@ -1,9 +1,8 @@
-/// Springs eight side by side, none of which share a particle: what a round of constraints may
-/// relax at once, as if it were one after the other.
+/// Batches of eight springs that share no particle. Relaxing them at once gives the same result as
+/// relaxing them one after the other (a graph coloring of the constraints).
 ///
-/// Springs are taken in their order, each into the first open batch in which both its ends are
-/// free; WINDOW batches are open at a time, so that a batch's springs are near each other in
-/// memory.
+/// Each spring, in order, joins the first open batch in which neither of its ends occurs. WINDOW
+/// batches are open at a time, so that a batch's springs are near each other in memory.
 #ifndef BALLOON_SOLVE_BATCHES_H
 #define BALLOON_SOLVE_BATCHES_H
 
@@ -12,7 +11,7 @@
 
 typedef struct Batches {
     int count;
-    int* filled;               ///< [count] springs of each, 1 … LANES; the lanes behind are idle
+    int* filled;               ///< [count] springs in each, 1 … LANES; further lanes are idle
     int (*spring)[LANES];      ///< [count] 0 in an idle lane
     uint32_t (*end)[2][LANES]; ///< [count] particles, in bytes from the start of a real4 array
     real (*rest)[LANES];       ///< [count] [m], 1 in an idle lane
@@ -23,10 +22,10 @@ typedef struct Batches {
 
 void batches_make(Batches* batches, const Springs* springs, int particles);
 
-/// For a step: impulses are 0, weights and the stiffness that acts are taken.
+/// Before a step: set impulses to 0, copy weights and each spring's present stiffness.
 void batches_begin(Batches* batches, const Springs* springs, const real* weight, real h2);
 
-/// A round over all batches at places x + u (solve/xpbd.c); moves u.
+/// An iteration over all batches at positions x + u (solve/xpbd.c); changes u.
 void batches_relax(Batches* batches, SpringLaw law, const real4* x, real4* u);
 
 void batches_free(Batches* batches);

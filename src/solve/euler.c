@@ -20,8 +20,8 @@ static void* open(Body* body, const Solver* solver) {
     return solver->in_place ? new_array(real4, body->count) : NULL;
 }
 
-/// The paper's loop to the letter. All forces for each particle: it is for small skins, to show
-/// how it fails.
+/// The paper's loop to the letter: all forces are computed anew for each particle. It is meant for
+/// small skins, to show how it fails.
 static void kick_in_place(Body* body, real4* start, double h) {
     memcpy(start, body->x, (size_t)body->count * sizeof *start);
     for (int i = 0; i < body->count; i++) {

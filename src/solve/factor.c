@@ -5,22 +5,23 @@
 
 #include "base/memory.h"
 
-enum { RUNGS = 16 }; ///< shorter steps than h1 / 181 take the last: mass is nearly all of their A
+enum { RUNGS = 16 }; ///< steps below h1 / 181 use the last: their A is nearly M
 
-/// x, y, z and one of zeros: with fewer than four CHOLMOD allocates its room again at every solve.
+/// x, y, z and a column of zeros: with fewer than four CHOLMOD reallocates its workspace at every
+/// solve.
 enum { COLUMNS = 4 };
 
 struct Factor {
     cholmod_common common;
-    cholmod_factor* pattern; ///< analyzed, no numbers
-    cholmod_factor* rung[RUNGS];
-    cholmod_factor* taken; ///< one of them
-    double longest;        ///< h1 [s]
-    Damping damping;       ///< of all rungs
-    int string_count;      ///< of all rungs
+    cholmod_factor* pattern;     ///< symbolic analysis
+    cholmod_factor* rung[RUNGS]; ///< rung k: for the step h1 2^(-k/2)
+    cholmod_factor* selected;    ///< one of the rungs
+    double longest;              ///< h1 [s]
+    Damping damping;             ///< of all rungs
+    int string_count;            ///< of all rungs
     cholmod_dense* right;
     cholmod_dense* solution;
-    cholmod_dense* room[2]; ///< CHOLMOD's own
+    cholmod_dense* workspace[2]; ///< CHOLMOD's own
 };
 
 Factor* factor_open(const Body* body) {
@@ -29,52 +30,53 @@ Factor* factor_open(const Body* body) {
     cholmod_start(common);
     common->print = 0;
     common->supernodal = CHOLMOD_SIMPLICIAL;
-    common->nmethods = 1; // one ordering, and not the best of several
+    common->nmethods = 1; // one ordering instead of the best of several
     common->method[0].ordering = CHOLMOD_AMD;
     factor->right = cholmod_zeros((size_t)body->count, COLUMNS, CHOLMOD_REAL, common);
     return factor;
 }
 
-static void put(cholmod_triplet* list, int row, int column, double value) {
+static void add_entry(cholmod_triplet* list, int row, int column, double value) {
     ((int*)list->i)[list->nnz] = row > column ? row : column;
     ((int*)list->j)[list->nnz] = row > column ? column : row;
     ((double*)list->x)[list->nnz] = value;
     list->nnz++;
 }
 
-/// A's lower half; a held particle's row is that of 1. Entries at one place add up.
+/// A's lower triangle; the row of a held particle is that of the identity. CHOLMOD adds repeated
+/// entries.
 static cholmod_sparse* matrix_of(cholmod_common* common, const Body* body, double h) {
     const Springs* springs = &body->springs;
     const size_t n = (size_t)body->count;
-    const size_t most = n + 3 * (size_t)springs->count + (size_t)body->string_count;
-    cholmod_triplet* list = cholmod_allocate_triplet(n, n, most, -1, CHOLMOD_REAL, common);
+    const size_t entries_max = n + 3 * (size_t)springs->count + (size_t)body->string_count;
+    cholmod_triplet* list = cholmod_allocate_triplet(n, n, entries_max, -1, CHOLMOD_REAL, common);
     if (!list)
         return NULL;
     for (int i = 0; i < body->count; i++)
-        put(list, i, i,
-            body->inverse_mass[i] > 0 ? (double)body->mass[i] + h * body_drag(body, i) : 1);
+        add_entry(list, i, i,
+                  body->inverse_mass[i] > 0 ? (double)body->mass[i] + h * body_drag(body, i) : 1);
     for (int s = 0; s < springs->count; s++) {
         const int* end = springs->end[s];
         const double k = h * h * (double)springs->stiffness[s];
         const bool free[2] = {body->inverse_mass[end[0]] > 0, body->inverse_mass[end[1]] > 0};
         for (int e = 0; e < 2; e++)
             if (free[e])
-                put(list, end[e], end[e], k);
+                add_entry(list, end[e], end[e], k);
         if (free[0] && free[1])
-            put(list, end[0], end[1], -k);
+            add_entry(list, end[0], end[1], -k);
     }
     for (int k = 0; k < body->string_count; k++) {
         const String* string = &body->string[k];
         if (body->inverse_mass[string->particle] > 0)
-            put(list, string->particle, string->particle, h * h * (double)string->stiffness);
+            add_entry(list, string->particle, string->particle, h * h * (double)string->stiffness);
     }
     cholmod_sparse* matrix = cholmod_triplet_to_sparse(list, list->nnz, common);
     cholmod_free_triplet(&list, common);
     return matrix;
 }
 
-/// Factors for steps h, or NULL.
-static cholmod_factor* made_for(Factor* factor, const Body* body, double h) {
+/// Factors of A(h), or NULL.
+static cholmod_factor* factorize(Factor* factor, const Body* body, double h) {
     cholmod_common* common = &factor->common;
     cholmod_sparse* matrix = matrix_of(common, body, h);
     if (!matrix)
@@ -90,13 +92,13 @@ static cholmod_factor* made_for(Factor* factor, const Body* body, double h) {
     return made;
 }
 
-/// Everything that the rungs were made of is as it was.
-static bool still_holds(const Factor* factor, const Body* body, double h) {
+/// Whether the existing rungs serve this body and step.
+static bool is_current(const Factor* factor, const Body* body, double h) {
     return h <= factor->longest && factor->damping.coefficient == body->damping.coefficient &&
            factor->damping.rate == body->damping.rate && factor->string_count == body->string_count;
 }
 
-static void begin(Factor* factor, const Body* body, double h) {
+static void reset_rungs(Factor* factor, const Body* body, double h) {
     for (int k = 0; k < RUNGS; k++)
         cholmod_free_factor(&factor->rung[k], &factor->common);
     factor->longest = fmax(h, factor->longest);
@@ -104,10 +106,10 @@ static void begin(Factor* factor, const Body* body, double h) {
     factor->string_count = body->string_count;
 }
 
-bool factor_take(Factor* factor, const Body* body, double h, int* made) {
+bool factor_select(Factor* factor, const Body* body, double h, int* made) {
     *made = 0;
-    if (!still_holds(factor, body, h))
-        begin(factor, body, h);
+    if (!is_current(factor, body, h))
+        reset_rungs(factor, body, h);
     int k = 0;
     double rung = factor->longest;
     while (k + 1 < RUNGS && rung * sqrt(0.5) >= h) {
@@ -115,11 +117,11 @@ bool factor_take(Factor* factor, const Body* body, double h, int* made) {
         k++;
     }
     if (!factor->rung[k]) {
-        factor->rung[k] = made_for(factor, body, rung);
+        factor->rung[k] = factorize(factor, body, rung);
         *made = 1;
     }
-    factor->taken = factor->rung[k];
-    return factor->taken != NULL;
+    factor->selected = factor->rung[k];
+    return factor->selected != NULL;
 }
 
 double* factor_right(Factor* factor) {
@@ -128,8 +130,8 @@ double* factor_right(Factor* factor) {
 
 const double* factor_solve(Factor* factor) {
     const bool good =
-        cholmod_solve2(CHOLMOD_A, factor->taken, factor->right, NULL, &factor->solution, NULL,
-                       &factor->room[0], &factor->room[1], &factor->common);
+        cholmod_solve2(CHOLMOD_A, factor->selected, factor->right, NULL, &factor->solution, NULL,
+                       &factor->workspace[0], &factor->workspace[1], &factor->common);
     return good ? factor->solution->x : NULL;
 }
 
@@ -143,7 +145,7 @@ void factor_close(Factor* factor) {
     cholmod_free_dense(&factor->right, common);
     cholmod_free_dense(&factor->solution, common);
     for (int k = 0; k < 2; k++)
-        cholmod_free_dense(&factor->room[k], common);
+        cholmod_free_dense(&factor->workspace[k], common);
     cholmod_finish(common);
     free(factor);
 }

@@ -5,8 +5,8 @@
 ///
 /// Order 1. On an undamped mode of frequency w each step multiplies the amplitude by
 /// sqrt(1 + h^2 w^2): it is never stable without damping, and is kept to show that. The kick only
-/// takes the forces; the drift goes with the old velocities, as corrections and contacts have left
-/// them, and then pushes, so that between steps x and v belong to the same time.
+/// computes the forces; the drift moves by the old velocities, after strain limits and contacts,
+/// and then applies the forces, so that between steps x and v belong to the same time.
 #include "force/force.h"
 #include "solve/method.h"
 
@@ -21,13 +21,13 @@ static void drift(Body* body, double h) {
     body_push(body, h);
 }
 
-/// (1 + h z) stays in the unit circle for both roots of z^2 + gamma z + w^2 = 0: at w, where a mode
-/// swings |1 + h z|^2 = 1 - gamma h + w^2 h^2, and of free motion, where z = -gamma.
+/// (1 + h z) stays in the unit circle for both roots of z^2 + gamma z + w^2 = 0, where an
+/// oscillating mode has |1 + h z|^2 = 1 - gamma h + w^2 h^2, and for free motion, z = -gamma.
 static double limit(double w2, double gamma) {
     if (gamma <= 0)
         return w2 > 0 ? 0 : INFINITY;
-    const double rest = gamma * gamma - 4 * w2;
-    return fmin(2 / gamma, rest < 0 ? gamma / w2 : 4 / (gamma + sqrt(rest)));
+    const double discriminant = gamma * gamma - 4 * w2;
+    return fmin(2 / gamma, discriminant < 0 ? gamma / w2 : 4 / (gamma + sqrt(discriminant)));
 }
 
 const Method method_forward = {

@@ -1,13 +1,13 @@
-/// Methods of time stepping: a table, one file and one row each.
+/// Methods of time stepping: a table with one file and one row for each.
 ///
 /// A step is a kick and a drift, the two halves of a step of molecular dynamics:
 ///
-///     kick    v' = v + h f/m, with f as the method takes it, then strain limits and contacts
+///     kick    v' = v + h f/m, f by the method, then strain limits and contacts
 ///     drift   x' = x + h v'
 ///
-/// `forward` takes f at the start of the step, the others at its end. `forward`, `euler` and
-/// `newton` know forces only through the force table, so a new force serves them all. Methods of
-/// constraints (solve/predict.h) replace forces by constraints of their own.
+/// `forward` and `euler` evaluate f at the start of the step, the others at its end. `forward`,
+/// `euler` and `newton` know forces only through the force table, so a new force serves them all.
+/// Methods of constraints (solve/predict.h) replace forces by constraints of their own.
 #ifndef BALLOON_SOLVE_METHOD_H
 #define BALLOON_SOLVE_METHOD_H
 
@@ -32,12 +32,12 @@ typedef struct Solver {
     bool in_place; ///< euler: each particle moves before the next one's force is computed
 } Solver;
 
-/// A force that a method takes.
+/// A force that a method supports.
 typedef struct ForceUse {
     const Force* force;
     bool (*replaced)(
-        const Body* body); ///< whether the method has its own form of it for this body;
-                           ///< NULL: never, it is evaluated by its row
+        const Body* body); ///< whether the method replaces it by its own form for this body;
+                           ///< NULL: never, it is evaluated through its row
 } ForceUse;
 
 typedef struct Method {
@@ -47,11 +47,11 @@ typedef struct Method {
     bool iterates; ///< it has iterations, products and a residual to report
     bool can_fail; ///< its kick may return false
 
-    /// The forces that it takes, up to one that is NULL; a body with another is refused. NULL: all,
-    /// through the force table.
+    /// The forces that it supports, up to a row of NULL; a body with another force is refused. NULL:
+    /// all, through the force table.
     const ForceUse* takes;
 
-    /// Why else this method cannot step this body, or NULL if it can. method_refuses asks both.
+    /// Another reason why this method cannot step this body, or NULL. method_refuses checks both.
     const char* (*refuses)(const Body* body);
 
     /// The workspace for a body's steps; NULL members: none is needed. A kick allocates nothing,
@@ -59,16 +59,17 @@ typedef struct Method {
     void* (*open)(Body* body, const Solver* solver);
     void (*close)(void* workspace);
 
-    /// Velocities of the coming drift, under forces, strain limits and contacts. *drift is its
-    /// length: h, unless contacts have made something so fast that it must be shorter. False where
-    /// a body's step was not solved: then no velocity has changed, and system->unsolved names it.
+    /// Compute the velocities of the coming drift, under forces, strain limits and contacts. *drift
+    /// is its length: h, or less where contacts have made a node so fast that a drift of h would
+    /// not be safe. False where a body's step was not solved: then no velocity has changed, and
+    /// system->unsolved is that body.
     bool (*kick)(const struct Method* method, System* system, Contacts* contacts, double h,
                  double* drift);
 
     /// Velocities of one body under its forces alone, for system_kick. False: not solved.
     bool (*kick_body)(Body* body, void* workspace, double h, SolveStats* stats);
 
-    /// Positions after h; `forward` also changes the velocities here. The others take body_drift.
+    /// Positions after h; `forward` also changes the velocities here. The others use body_drift.
     void (*drift)(Body* body, double h);
 
     /// Largest stable step [s] for the largest squared frequency w2 [1/s^2] and the damping rate
@@ -88,7 +89,7 @@ const Method* method_find(const char* name);
 /// Names of all methods, "euler, …", for sentences.
 const char* method_names(void);
 
-/// Whether the method takes this force.
+/// Whether the method supports this force.
 bool method_takes(const Method* method, const Force* force);
 
 /// Why the method cannot step this body, "takes no force 'membrane'", or NULL if it can.
@@ -99,7 +100,8 @@ double method_limit(const Method* method, double w2, double gamma);
 
 /// The bound that this program computes for a body: the method's limit for the sum of all forces'
 /// bounds on the squared frequency (never less than the true one) and the damping rate. Every mode's
-/// damping rate lies between the smallest and the largest of the particles, which both are tried.
+/// damping rate lies between the particles' smallest and largest, and the smaller limit of the two
+/// is taken.
 double method_bound(const Method* method, const Body* body);
 
 #endif

@@ -7,10 +7,10 @@
 #include "force/force.h"
 #include "mesh/measure.h"
 
-enum { ROOT_MOST = 100 };
+enum { ROOT_ITERATIONS_MAX = 100 };
 
-/// Of the first volume, where a search for a volume begins if there is less. [1]
-static const double least_volume = 1e-6;
+/// The search for a volume begins at no less than this share of the first volume. [1]
+static const double volume_share_min = 1e-6;
 
 static bool always(const Body* body) {
     (void)body;
@@ -44,8 +44,8 @@ static bool is_replaced(const Force* force, const Body* body) {
     return use->force && use->replaced && use->replaced(body);
 }
 
-/// Where it would go by itself; where it is, if that would turn it inside out.
-static void go_ahead(Predict* predict, const Body* body) {
+/// ahead = x + u0; x where x + u0 would turn a gas-filled skin inside out.
+static void move_ahead(Predict* predict, const Body* body) {
     for (int i = 0; i < body->count; i++)
         predict->ahead[i] = body->x[i] + predict->u[i];
     if (has_gas(body) && !(measure_volume(body->mesh, predict->ahead) > 0))
@@ -58,9 +58,9 @@ void predict_begin(Predict* predict, Body* body, double h) {
         predict->weight[i] = body->inverse_mass[i] > 0 ? 1 / mass : 0;
         predict->u[i] = ((real)h * predict->weight[i] * body->mass[i]) * body->v[i];
     }
-    go_ahead(predict, body);
+    move_ahead(predict, body);
 
-    // forces there: the body is lent those positions
+    // forces at `ahead`: swap the body's positions for the force table
     real4* const x = body->x;
     body->x = predict->ahead;
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
@@ -81,20 +81,21 @@ double predict_volume(Predict* predict, const Body* body) {
     return measure_volume(body->mesh, predict->ahead);
 }
 
-/// What is to be zero rises with V' and bends down, so Newton's method comes up to it from below,
-/// and halves its way there from above.
+/// Newton's method for the root of V' - volume - weight (h^2 p(V') - impulse), which grows with V'
+/// and is concave: from below the root the iterates increase to it; a step from above that would
+/// end below 0 becomes a halving.
 double predict_pressure(const Inflation* gas, double volume, double weight, double h2,
-                        double given) {
-    double after = fmax(volume, least_volume * gas->first_volume);
-    for (int n = 0; n < ROOT_MOST; n++) {
-        const double over = after - volume - weight * (h2 * gas_pressure(gas, after) - given);
-        const double next = after - over / (1 - weight * h2 * gas_slope(gas, after));
-        const double moved = next > 0 ? next - after : -after / 2;
-        after += moved;
-        if (!(fabs(moved) > 1e-15 * after))
+                        double impulse) {
+    double root = fmax(volume, volume_share_min * gas->first_volume);
+    for (int n = 0; n < ROOT_ITERATIONS_MAX; n++) {
+        const double excess = root - volume - weight * (h2 * gas_pressure(gas, root) - impulse);
+        const double next = root - excess / (1 - weight * h2 * gas_slope(gas, root));
+        const double change = next > 0 ? next - root : -root / 2;
+        root += change;
+        if (!(fabs(change) > 1e-15 * root))
             break;
     }
-    return gas_pressure(gas, after);
+    return gas_pressure(gas, root);
 }
 
 void predict_end(const Predict* predict, Body* body, double h) {

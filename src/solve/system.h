@@ -1,23 +1,23 @@
-/// A system: all bodies that one method steps, and what a kick needs of each.
+/// A system: all bodies that one method steps, and the data of each that a kick needs.
 ///
 /// A method's kick ends with velocities that respect strain limits and contacts. A method that
-/// steps each body by itself takes `system_kick`; one that has contacts inside its solve brings its
-/// own. Bodies that are asleep are skipped.
+/// steps each body by itself uses `system_kick`; a method with contacts inside its solve supplies
+/// its own. Bodies that are asleep are skipped.
 #ifndef BALLOON_SOLVE_SYSTEM_H
 #define BALLOON_SOLVE_SYSTEM_H
 
 #include "constraint/strain_limit.h"
 #include "contact/contacts.h"
 
-/// What the last solve took.
+/// Cost and result of the last solve.
 typedef struct SolveStats {
     int iterations;
     int products;    ///< Hessian-vector products
     double residual; ///< of the step's equation, relative [1]
-    int factored;    ///< matrices factored: the only thing for which a kick may allocate
+    int factored;    ///< matrices factored; a kick allocates memory for nothing else
 } SolveStats;
 
-/// Arrays are the system's, what they point to is the caller's.
+/// The system owns the arrays; the caller owns the objects behind their pointers.
 typedef struct System {
     int body_count;
     Body** body;                ///< [body_count]

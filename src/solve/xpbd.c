@@ -1,16 +1,15 @@
 /// Extended position-based dynamics: backward Euler by one constraint after the other.
 ///
-///     predict   u, where the particles would go without constraints (solve/predict.h)
-///     relax     for each constraint of energy E = C^2 / (2 a), with its impulse P of this step,
-///     what
-///               takes P to -h^2 dE/dx to first order: u += w dP, w = 1 / (m + h c)
+///     predict   u, the displacement without constraints (solve/predict.h)
+///     relax     each constraint of energy E = C^2 / (2 a): change its impulse P of this step by
+///               dP, so that P = -h^2 dE/dx to first order: u += w dP, w = 1 / (m + h c)
 ///     v' = u / h
 ///
-/// Springs are taken eight at a time that share no particle (solve/batches.h), then strings, then
-/// the gas; a round of all is an iteration, and a step makes as many as the scene says (1, with
-/// small steps instead). Where rounds end early, stiffness is what got through: it depends on
-/// iterations, step and mesh. Where they do not, the step is backward Euler's. Order 1; never
-/// unstable; linear momentum to rounding, angular momentum to order. Sources: M. Macklin, M.
+/// An iteration relaxes all springs, eight at a time that share no particle (solve/batches.h),
+/// then strings, then the gas. The scene sets the number of iterations (default 1, for many small
+/// steps). Converged iterations give the step of backward Euler; too few make the skin softer, by
+/// an amount that depends on iterations, step and mesh. Order 1; never unstable; conserves linear
+/// momentum to rounding, angular momentum to the method's order. Sources: M. Macklin, M.
 /// Mueller, N. Chentanez, XPBD: position-based simulation of compliant constrained dynamics, 2016;
 /// M. Macklin et al., Small steps in physics simulation, 2019.
 ///
@@ -19,15 +18,15 @@
 ///                C = d - rest                                               hooke, and l < 1
 ///                C = rest (1 - l^-2) sqrt((2 l^2 + 1) / 12)                 rubber
 ///                C = 0                                                      tension, l < 1
-///                C' = l (1 + l^-2 + l^-4) / (6 sqrt((2 l^2 + 1) / 12))      C C' k is its pull
+///                C' = l (1 + l^-2 + l^-4) / (6 sqrt((2 l^2 + 1) / 12))      tension k C C'
 ///                dP = -(P.n + h^2 k C C') n / (1 + h^2 k C'^2 W)
 ///                     - (P - P.n n) / (1 + h^2 (k C C' / d) W)
 ///
-///            From P = 0 that is the papers' step, with P.n = C' times their multiplier. They go on
-///            along the n of each round; taking back what has turned away costs nothing and leaves
-///            nothing wrong in the end.
+///            From P = 0 this is the papers' step, where P.n is C' times their multiplier. The
+///            papers keep the part of P across the present n; the second term of dP removes it, so
+///            that converged impulses point along the springs.
 /// strings    C = d - free length; P pulls, or is 0
-/// gas        P = L dV/dx, L = h^2 p of the volume to which it brings the skin (predict_pressure)
+/// gas        P = L dV/dx, L = h^2 p(V'), V' the volume after this change (predict_pressure)
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,7 +41,7 @@ typedef struct Workspace {
     int iterations;
     Predict predict;
     Batches springs;
-    double gas; ///< L [kg/m]
+    double gas_impulse; ///< L [kg/m]
 } Workspace;
 
 static void* open(Body* body, const Solver* solver) {
@@ -62,26 +61,25 @@ static void close(void* self) {
     free(workspace);
 }
 
-/// A string now, of Hooke's law: the direction in which its length grows, its pull over the
-/// stiffness, and how that grows.
+/// Geometry of a string, of Hooke's law, at present positions.
 typedef struct Stretched {
-    real4 n;
+    real4 n;          ///< direction in which its length grows
     real pull, slope; ///< C C' [m], C'^2 [1]
-    real now;         ///< length [m]
+    real length_now;  ///< [m]
 } Stretched;
 
 static inline Stretched stretched(real4 d, real rest) {
-    const real now = length(d);
-    return (Stretched){.n = d / now, .pull = now - rest, .slope = 1, .now = now};
+    const real l = length(d);
+    return (Stretched){.n = d / l, .pull = l - rest, .slope = 1, .length_now = l};
 }
 
-/// dP of a constraint that has given P so far, `stiff` = h^2 k.
-static inline real4 change(const Stretched* s, real stiff, real weight, real4 given) {
-    const real along = dot(given, s->n);
-    const real4 aside = given - along * s->n;
-    const real turned = real_max(stiff * s->pull / s->now, 0);
+/// dP of a constraint with the impulse P so far; `stiff` = h^2 k.
+static inline real4 impulse_change(const Stretched* s, real stiff, real weight, real4 impulse) {
+    const real along = dot(impulse, s->n);
+    const real4 across = impulse - along * s->n;
+    const real stiff_across = real_max(stiff * s->pull / s->length_now, 0);
     return -((along + stiff * s->pull) / (1 + stiff * s->slope * weight)) * s->n -
-           aside / (1 + turned * weight);
+           across / (1 + stiff_across * weight);
 }
 
 static void relax_strings(Body* body, const real* weight, real h2, real4* u) {
@@ -92,9 +90,9 @@ static void relax_strings(Body* body, const real* weight, real h2, real4* u) {
         if (!(dot(d, d) > 0))
             continue;
         const Stretched now = stretched(d, string->free_length);
-        real4 next =
-            string->impulse + change(&now, h2 * string->stiffness, weight[i], string->impulse);
-        if (dot(next, now.n) > 0) // it would push
+        real4 next = string->impulse +
+                     impulse_change(&now, h2 * string->stiffness, weight[i], string->impulse);
+        if (dot(next, now.n) > 0) // a string does not push
             next = (real4){0, 0, 0, 0};
         u[i] += weight[i] * (next - string->impulse);
         string->impulse = next;
@@ -104,11 +102,11 @@ static void relax_strings(Body* body, const real* weight, real h2, real4* u) {
 static void relax_gas(Body* body, Workspace* workspace, double weight, double h2) {
     Inflation* gas = &body->inflation;
     gas->volume = predict_volume(&workspace->predict, body);
-    const double next = h2 * predict_pressure(gas, gas->volume, weight, h2, workspace->gas);
-    const real by = (real)(next - workspace->gas);
-    workspace->gas = next;
+    const double next = h2 * predict_pressure(gas, gas->volume, weight, h2, workspace->gas_impulse);
+    const real change = (real)(next - workspace->gas_impulse);
+    workspace->gas_impulse = next;
     for (int i = 0; i < body->count; i++)
-        workspace->predict.u[i] += (workspace->predict.weight[i] * by) * gas->gradient[i];
+        workspace->predict.u[i] += (workspace->predict.weight[i] * change) * gas->gradient[i];
 }
 
 /// |dV/dx|^2_w
@@ -132,14 +130,14 @@ static bool kick_body(Body* body, void* self, double h, SolveStats* stats) {
     batches_begin(&workspace->springs, &body->springs, predict->weight, (real)h2);
     for (int k = 0; k < body->string_count; k++)
         body->string[k].impulse = (real4){0, 0, 0, 0};
-    workspace->gas = 0;
-    const double gas_behind = gas ? gas_weight(body, predict->weight) : 0;
+    workspace->gas_impulse = 0;
+    const double gas_w = gas ? gas_weight(body, predict->weight) : 0;
 
     for (int n = 0; n < workspace->iterations; n++) {
         batches_relax(&workspace->springs, body->springs.law, body->x, predict->u);
         relax_strings(body, predict->weight, (real)h2, predict->u);
         if (gas)
-            relax_gas(body, workspace, gas_behind, h2);
+            relax_gas(body, workspace, gas_w, h2);
     }
     predict_end(predict, body, h);
     return true;
