@@ -21,8 +21,9 @@ static void time_rows(Overlay* overlay, const World* world, const Status* status
         snprintf(speed, sizeof speed, ", 1/%d speed", status->slowdown);
     overlay_row(overlay, "time", "%.2f s%s", world_time(world), speed);
 
-    if (world->substeps > 1)
-        overlay_row(overlay, "step", "%g ms in %d parts", 1000 * world->step, world->substeps);
+    if (world->guard.substeps > 1)
+        overlay_row(overlay, "step", "%g ms in %d parts", 1000 * world->step,
+                    world->guard.substeps);
     else
         overlay_row(overlay, "step", "%g ms", 1000 * world->step);
     if (status->frame_ms > 0)

@@ -84,7 +84,7 @@ static bool press(World* world, const Event* event, Fault* fault) {
         return fault_set(fault, event->name, "no such key in an input log; see balloon --help");
     const bool down = strcmp(event->value, "down") == 0;
     world->held = down ? world->held | 1u << row : world->held & ~(1u << row);
-    world->look = true;
+    world->guard.changed = true;
     if (down && command_table[row].down)
         command_table[row].down(world);
     return true;
@@ -150,7 +150,7 @@ static bool set(World* world, const Event* event, Fault* fault) {
     for (size_t k = 0; k < sizeof world_setting_table / sizeof *world_setting_table; k++)
         if (strcmp(world_setting_table[k].key, event->name) == 0) {
             world_setting_table[k].set(world, value);
-            world->look = true;
+            world->guard.changed = true;
             return true;
         }
 
@@ -170,7 +170,7 @@ static bool set(World* world, const Event* event, Fault* fault) {
                 return fault_set(fault, event->name, "balloon %d has none", b);
             *number = value;
         }
-        world->look = true;
+        world->guard.changed = true;
         return true;
     }
     return fault_set(fault, event->name, "cannot be set while a scene runs");

@@ -1,38 +1,42 @@
-/// Holds the step against the scene's stability bound, and catches a state that goes bad.
+/// The guard of the step: compares a scene's step with the largest stable one.
 ///
 /// The bound of semi-implicit Euler for the largest squared frequency w^2 and the damping rate
 /// g = c/m is h = (-g + sqrt(g^2 + 4 w^2)) / w^2 (solve/method.h). Where the scene's step is above
-/// it, `split` divides the step into equal substeps, `stop` refuses, `off` lets it run; where no
-/// step is stable, as of `forward` without damping, both refuse. The bound is taken again every
-/// GUARD_INTERVAL steps, for it moves with the pressure.
-///
-/// A state is bad when a particle's position is not finite, or when in one drift it moves by more
-/// than ten times the balloon's first size against the balloon's mean: found at that step in every
-/// mode. So is a ball that is not finite, a gas whose volume is down to nothing, and an element of
-/// rubber that has no thickness left. The last good
-/// state, at most GUARD_INTERVAL steps old, is put back and the world halts.
+/// it, `split` divides the step into equal substeps, `stop` refuses it, `off` lets it run. Where no
+/// step is stable, as with `forward` without damping, both `split` and `stop` refuse. The bound is
+/// computed again every GUARD_INTERVAL steps, for it changes with the pressure.
 #ifndef BALLOON_WORLD_GUARD_H
 #define BALLOON_WORLD_GUARD_H
 
+#include "scene/scene.h"
+#include "solve/method.h"
+
 enum {
-    GUARD_INTERVAL = 16,  ///< [steps] between two looks at the bound
-    SUBSTEPS_MOST = 10000 ///< more than this is a scene that asks for the wrong thing
+    GUARD_INTERVAL = 16, ///< [steps] between two computations of the bound
+    SUBSTEPS_MAX = 10000 ///< more substeps than this are refused
 };
 
-typedef struct World World;
+typedef struct StepGuard {
+    Guard mode;
+    double bound; ///< largest stable step when it was last computed [s]
+    int substeps; ///< equal parts of each step
+    bool changed; ///< compute the bound before the next step
+} StepGuard;
 
-/// Take the bound of the present state, and split the step or refuse it.
-void guard_look(World* world);
+typedef enum GuardVerdict {
+    VERDICT_GOOD,
+    VERDICT_SPLIT,        ///< into more substeps than before
+    VERDICT_TOO_LONG,     ///< the step is above the bound, and the mode is `stop`
+    VERDICT_NEVER_STABLE, ///< no step is stable
+    VERDICT_TOO_MANY      ///< more than SUBSTEPS_MAX
+} GuardVerdict;
 
-/// Say that a balloon's step could not be solved, not even in parts of h; put the last good state
-/// back and halt.
-void guard_unsolved(World* world, int balloon, double h);
+/// Smallest bound of all bodies that are awake [s], INFINITY where there is none; *body is the body
+/// with that bound.
+double guard_bound(const Method* method, const System* system, int* body);
 
-/// Remember the present state as the last good one.
-void guard_keep(World* world);
-
-/// After a step: find a bad state, name it, put the last good one back and halt; else keep this one
-/// every GUARD_INTERVAL steps.
-void guard_check(World* world);
+/// Compute the bound, and from it the substeps of a step [s]. *body is the body with the bound.
+GuardVerdict guard_update(StepGuard* guard, const Method* method, const System* system, double step,
+                          int* body);
 
 #endif

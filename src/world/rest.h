@@ -11,7 +11,7 @@
 #ifndef BALLOON_WORLD_REST_H
 #define BALLOON_WORLD_REST_H
 
-#include "world/guard.h"
+#include "world/blowup.h"
 
 /// Before the parts of a step: wake those whose amount of gas has changed.
 void rest_wake_changed(World* world);

@@ -64,11 +64,10 @@ static void begin(World* world) {
     world->step_count = 0;
     world->selected = ALL_BALLOONS;
     world->held = 0;
-    world->substeps = 1;
-    world->look = true;
+    world->guard = (StepGuard){.mode = world->def.guard, .substeps = 1, .changed = true};
     world->solvable = 1;
     world->blowup = (Blowup){0};
-    guard_keep(world);
+    blowup_save_state(world);
 }
 
 bool world_open(World* world, WorldDef* def, Fault* fault) {
@@ -169,7 +168,7 @@ static double kick(World* world, double h, double whole) {
     while (!world->method->kick(world->method, &world->system, &world->contacts, h, &length)) {
         say_factored(world, h);
         if (h < whole / SPLITS_MOST) {
-            guard_unsolved(world, world->system.unsolved, h);
+            blowup_unsolved(world, world->system.unsolved, h);
             return 0;
         }
         h /= 2;
@@ -205,22 +204,26 @@ void world_step(World* world) {
     take_hand(world);
 
     // hold the step against the stability bound, which moves with the pressure
-    if (world->look || world->step_count % GUARD_INTERVAL == 0)
-        guard_look(world);
+    if (world->guard.changed || world->step_count % GUARD_INTERVAL == 0) {
+        int body;
+        const GuardVerdict verdict =
+            guard_update(&world->guard, world->method, &world->system, world->step, &body);
+        blowup_report(world, verdict, body);
+    }
     if (world->blowup.halted)
         return;
 
     flow(world, world->step);
     rest_wake_changed(world);
-    const double h = world->step / world->substeps;
-    for (int part = 0; part < world->substeps && !world->blowup.halted; part++)
+    const double h = world->step / world->guard.substeps;
+    for (int part = 0; part < world->guard.substeps && !world->blowup.halted; part++)
         advance(world, h);
     if (world->blowup.halted)
         return;
     world->step_count++;
 
     // a state that went bad is caught here, at its step
-    guard_check(world);
+    blowup_check(world);
     rest_look(world);
 }
 

@@ -10,21 +10,13 @@
 #include "contact/contacts.h"
 #include "solve/method.h"
 #include "world/balloon.h"
+#include "world/blowup.h"
 #include "world/record.h"
 #include "scene/scene.h"
 
 enum { ALL_BALLOONS = -1 }; ///< no balloon is selected: keys act on all
 
-/// A state that went bad, by name. halted is false while all is well.
-typedef struct Blowup {
-    bool halted;
-    int balloon;    ///< NONE: a ball
-    int particle;   ///< loaded number
-    long step;      ///< the step in which it was found
-    char text[400]; ///< the whole sentence, with the bound that was crossed
-} Blowup;
-
-typedef struct World {
+struct World {
     WorldDef def;
     const Method* method;
     Balloon* balloon; ///< [balloon_count]
@@ -37,14 +29,12 @@ typedef struct World {
     long good_step;    ///< the step of the last good state
     int selected;      ///< balloon that keys act on, or ALL_BALLOONS
     unsigned held;     ///< commands whose key is down, bit k for row k of command_table
-    double bound;      ///< largest stable step of the state last looked at [s]
-    int substeps;      ///< equal parts in which the guard has each step made
-    double drift;      ///< length of the last drift, shorter where balls are near [s]
-    double solvable;   ///< part of a step that the method last could solve [1]
-    bool look;         ///< look at the bound before the next step
+    StepGuard guard;
+    double drift;    ///< length of the last drift, shorter where balls are near [s]
+    double solvable; ///< part of a step that the method last could solve [1]
     Blowup blowup;
-    char notice[256]; ///< what the guard did last, to be said once; empty: nothing
-} World;
+    char notice[256]; ///< to be shown once; empty: nothing
+};
 
 /// Make the world of a def, which the world then owns (it is freed with the world, and also when
 /// this fails). Bad models and refused pairs are faults.

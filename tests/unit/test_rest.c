@@ -213,7 +213,7 @@ static void check_rest(double gravity, double inflation) {
     open_membrane(&world, gravity, inflation);
     run_for(&world, seconds);
     assert_int_equal(world.contacts.pass_throughs, 0);
-    assert_int_equal(world.substeps, 1);
+    assert_int_equal(world.guard.substeps, 1);
 
     const Body* body = &world.balloon[0].body;
     const double4 center = to_double4(world.contacts.sphere[0].x);

@@ -266,7 +266,7 @@ static void split_steps_are_smaller_steps(void** state) {
     World split, small;
     WORLD_OF(&split, "cube-sphere:3", still, "step=0.016");
     world_step(&split);
-    const int parts = split.substeps;
+    const int parts = split.guard.substeps;
     assert_true(parts > 1);
     assert_true(strstr(split.notice, "parts"));
 
@@ -275,7 +275,7 @@ static void split_steps_are_smaller_steps(void** state) {
     WORLD_OF(&small, "cube-sphere:3", still, step);
     for (int n = 0; n < parts; n++)
         world_step(&small);
-    assert_int_equal(small.substeps, 1);
+    assert_int_equal(small.guard.substeps, 1);
     assert_true(world_hash(&split) == world_hash(&small));
     world_close(&split);
     world_close(&small);
@@ -314,7 +314,7 @@ static void no_split_makes_up_for_what_is_never_stable(void** state) {
     WORLD_OF(&world, "cube-sphere:3", "method=forward", "balloons.0.damping.coefficient=0.05");
     run_for(&world, 1);
     assert_false(world.blowup.halted);
-    assert_true(world.substeps > 1);
+    assert_true(world.guard.substeps > 1);
     world_close(&world);
 }
 
