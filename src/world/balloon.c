@@ -9,26 +9,26 @@
 #include "force/material.h"
 #include "mesh/load.h"
 
-static const double vent_pressure = 1000;  ///< [Pa] at which a valve vents at the keys' rate
-static const double paper_poisson = 0.45;  ///< [1] the thin-shell paper's
-static const double given_threshold = 0.1; ///< [1] the mass-spring authors' own
+static const double vent_pressure = 1000; ///< [Pa] gauge pressure at which a valve vents at `rate`
+static const double paper_poisson = 0.45; ///< [1] the thin-shell paper's
+static const double default_threshold = 0.1; ///< [1] the mass-spring paper's
 
-/// Where no scene names a colour: distinct at a glance, also for most colour-blind eyes.
+/// Colors of balloons whose scene names none: easy to tell apart, also with most color blindness.
 static const float palette[][3] = {
     {0.90f, 0.16f, 0.17f}, {0.10f, 0.45f, 0.85f}, {0.98f, 0.72f, 0.10f}, {0.16f, 0.62f, 0.30f},
     {0.62f, 0.25f, 0.72f}, {0.98f, 0.45f, 0.12f}, {0.10f, 0.68f, 0.70f}, {0.93f, 0.35f, 0.60f}};
 
-static void take_color(Balloon* balloon, int number) {
+static void set_color(Balloon* balloon, int number) {
     const int colors = sizeof palette / sizeof *palette;
     const BalloonDef* def = balloon->def;
     for (int k = 0; k < 3; k++)
         balloon->color[k] = def->color ? (float)def->color[k] : palette[number % colors][k];
 }
 
-/// Fit and centre the model where the def gives a size; then scale it.
+/// Where the def has a size, fit the model to it and center it; then scale it.
 static void place_body(Balloon* balloon) {
     const BalloonDef* def = balloon->def;
-    Placement place = {.scale = def->scale > 0 ? def->scale : 1, .turn = def->turn};
+    Placement placement = {.scale = def->scale > 0 ? def->scale : 1, .turn = def->turn};
     if (def->size > 0) {
         double4 low = {INFINITY, INFINITY, INFINITY, 0}, high = -low;
         for (int i = 0; i < balloon->mesh.point_count; i++)
@@ -37,15 +37,16 @@ static void place_body(Balloon* balloon) {
                 high[k] = fmax(high[k], balloon->mesh.point[i][k]);
             }
         const double4 side = high - low;
-        place.scale *= def->size / fmax(side[0], fmax(side[1], side[2]));
+        placement.scale *= def->size / fmax(side[0], fmax(side[1], side[2]));
         for (int k = 0; k < 3; k++)
-            place.center[k] = (low[k] + high[k]) / 2;
+            placement.center[k] = (low[k] + high[k]) / 2;
     }
     for (int k = 0; def->position && k < 3; k++)
-        place.position[k] = def->position[k];
-    body_make(&balloon->body, &balloon->mesh, &place, def->mass ? def->mass->per_particle : 1);
+        placement.position[k] = def->position[k];
+    body_make(&balloon->body, &balloon->mesh, &placement, def->mass ? def->mass->per_particle : 1);
 }
 
+/// The lowest particle, or with sign -1 the highest.
 static int lowest(const Body* body, int sign) {
     int best = 0;
     for (int i = 1; i < body->count; i++)
@@ -57,18 +58,18 @@ static int lowest(const Body* body, int sign) {
 static int nearest(const Body* body, const double to[3]) {
     const double4 end = {to[0], to[1], to[2], 0};
     int best = 0;
-    double least = INFINITY;
+    double min = INFINITY;
     for (int i = 0; i < body->count; i++) {
         const double distance = dlength(to_double4(body->x[i]) - end);
-        if (distance < least) {
-            least = distance;
+        if (distance < min) {
+            min = distance;
             best = i;
         }
     }
     return best;
 }
 
-/// The particle that a string's `at` names; scene_load has judged the word, not yet the number.
+/// The particle that a string's `at` names. scene_load has checked the word, but not the number.
 static int particle_at(const Body* body, const StringDef* def) {
     if (!def->at || strcmp(def->at, "nearest") == 0)
         return def->to ? nearest(body, def->to) : lowest(body, 1);
@@ -80,7 +81,7 @@ static int particle_at(const Body* body, const StringDef* def) {
     return loaded < body->count ? body->mesh->inside[loaded] : NONE;
 }
 
-/// Straight down from a particle: on the floor, or the balloon's own size below it.
+/// The point straight below a particle: on the floor, or below it by the balloon's size.
 static void below(const Body* body, const WorldDef* world, int particle, double to[3]) {
     const double4 x = to_double4(body->x[particle]);
     to[0] = x[0];
@@ -95,7 +96,7 @@ static void tie(Body* body, const WorldDef* world, const StringDef* def, int par
              def->slack > 0 ? def->slack : 1);
 }
 
-static void take_strings(Balloon* balloon, const WorldDef* world) {
+static void add_strings(Balloon* balloon, const WorldDef* world) {
     for (unsigned k = 0; k < balloon->def->strings_count; k++) {
         const StringDef* string = &balloon->def->strings[k];
         tie(&balloon->body, world, string, particle_at(&balloon->body, string));
@@ -103,14 +104,14 @@ static void take_strings(Balloon* balloon, const WorldDef* world) {
     balloon->strings = balloon->body.string_count;
 }
 
-static void take_inflation(Balloon* balloon, const WorldDef* world) {
+static void add_inflation(Balloon* balloon, const WorldDef* world) {
     const InflationDef* def = balloon->def->inflation;
     if (!def)
         return;
-    balloon->given = def->amount;
-    balloon->least = def->least;
-    balloon->most = def->most > 0 ? def->most : def->amount > 0 ? 10 * def->amount : 100;
-    balloon->rate = def->rate > 0 ? def->rate : (balloon->most - balloon->least) / 10;
+    balloon->scene_amount = def->amount;
+    balloon->min_amount = def->least;
+    balloon->max_amount = def->most > 0 ? def->most : def->amount > 0 ? 10 * def->amount : 100;
+    balloon->rate = def->rate > 0 ? def->rate : (balloon->max_amount - balloon->min_amount) / 10;
     balloon->vent = def->vent > 0 ? def->vent : balloon->rate / vent_pressure;
     const Filling* filling =
         def->filling ? table_find(filling_table, filling_count, def->filling) : NULL;
@@ -131,21 +132,22 @@ static void take_inflation(Balloon* balloon, const WorldDef* world) {
                  });
 }
 
-/// Thickness at every particle, with the patches.
-static void thickness_of(const Body* body, const MembraneDef* def, double* thickness) {
+/// Thickness at every particle, patches included.
+static void compute_thickness(const Body* body, const MembraneDef* def, double* thickness) {
     for (int i = 0; i < body->count; i++) {
         thickness[i] = def->thickness;
         for (unsigned k = 0; k < def->patches_count; k++) {
             const PatchDef* patch = &def->patches[k];
-            const double4 at = {patch->at[0], patch->at[1], patch->at[2], 0};
-            const double part = fmax(1 - dlength(to_double4(body->x[i]) - at) / patch->radius, 0);
-            const double smooth = part * part * (3 - 2 * part);
+            const double4 center = {patch->at[0], patch->at[1], patch->at[2], 0};
+            const double closeness =
+                fmax(1 - dlength(to_double4(body->x[i]) - center) / patch->radius, 0);
+            const double smooth = closeness * closeness * (3 - 2 * closeness);
             thickness[i] += smooth * (patch->thickness - thickness[i]);
         }
     }
 }
 
-static void take_membrane(Body* body, const MembraneDef* def) {
+static void add_membrane(Body* body, const MembraneDef* def) {
     const Material* material = material_find(def->material);
     const Rubber rubber = {
         .material = material,
@@ -158,28 +160,28 @@ static void take_membrane(Body* body, const MembraneDef* def) {
         .rule = def->volume,
     };
     double* thickness = new_array(double, body->count);
-    thickness_of(body, def, thickness);
+    compute_thickness(body, def, thickness);
     material_add(body, thickness, &rubber);
     free(thickness);
 }
 
-static void take_correction(Balloon* balloon) {
+static void set_strain_limit(Balloon* balloon) {
     const CorrectionDef* def = balloon->def->correction;
-    StrainLimit* correct = &balloon->strain_limit;
+    StrainLimit* limit = &balloon->strain_limit;
     if (def) {
-        correct->threshold[STRUCTURAL] = def->structural;
-        correct->threshold[SHEAR] = def->shear;
-        correct->threshold[FLEXION] = def->flexion;
-        correct->tarantino = def->tarantino;
-        correct->phantom = def->phantom;
+        limit->threshold[STRUCTURAL] = def->structural;
+        limit->threshold[SHEAR] = def->shear;
+        limit->threshold[FLEXION] = def->flexion;
+        limit->tarantino = def->tarantino;
+        limit->phantom = def->phantom;
     } else {
         for (int kind = 0; kind < SPRING_KINDS; kind++)
-            correct->threshold[kind] = given_threshold;
+            limit->threshold[kind] = default_threshold;
     }
-    strain_limit_switch(correct, &balloon->body, def != NULL);
+    strain_limit_switch(limit, &balloon->body, def != NULL);
 }
 
-/// Everything of a balloon but its mesh, from its def.
+/// Make all parts of a balloon except its mesh from its def.
 static void make(Balloon* balloon, const WorldDef* world) {
     const BalloonDef* def = balloon->def;
     Body* body = &balloon->body;
@@ -197,14 +199,14 @@ static void make(Balloon* balloon, const WorldDef* world) {
             body_add_torsion(body, springs->torsion);
     }
     if (def->skin.membrane)
-        take_membrane(body, def->skin.membrane);
-    take_inflation(balloon, world);
+        add_membrane(body, def->skin.membrane);
+    add_inflation(balloon, world);
     if (def->helium)
         body->helium = (Helium){def->helium->base, def->helium->per_inflation};
     if (def->damping)
         body->damping = (Damping){def->damping->coefficient, def->damping->rate};
-    take_strings(balloon, world);
-    take_correction(balloon);
+    add_strings(balloon, world);
+    set_strain_limit(balloon);
     volume_constraint_open(&balloon->volume_constraint, body);
     if (balloon->method->open) {
         const SolverDef* solver = &world->solver;
@@ -218,20 +220,20 @@ static void make(Balloon* balloon, const WorldDef* world) {
     balloon_fill(balloon, 0);
 }
 
-/// What only the mesh can tell: numbers of particles, and whether there is an inside.
-static bool suits(const Balloon* balloon, const char* place, int number, Fault* fault) {
+/// Check the def against the mesh: numbers of particles, and that a mesh to be inflated is closed.
+static bool check_mesh(const Balloon* balloon, const char* location, int number, Fault* fault) {
     const BalloonDef* def = balloon->def;
     const bool encloses = def->inflation && def->inflation->law != INFLATE_AREA &&
                           def->inflation->law != INFLATE_NONE;
     if (encloses && !balloon->mesh.closed)
-        return fault_set(fault, place,
+        return fault_set(fault, location,
                          "balloons.%d: %s is open, and '%s' inflation needs a closed mesh; take "
                          "law 'area' or close it",
                          number, def->model, inflation_law_name[def->inflation->law]);
     for (unsigned k = 0; k < def->strings_count; k++)
         if (def->strings[k].at && def->strings[k].at[0] >= '0' && def->strings[k].at[0] <= '9' &&
             strtol(def->strings[k].at, NULL, 10) >= balloon->mesh.point_count)
-            return fault_set(fault, place,
+            return fault_set(fault, location,
                              "balloons.%d.strings.%u.at: %s has particles 0 to %d, not %s", number,
                              k, def->model, balloon->mesh.point_count - 1, def->strings[k].at);
     return true;
@@ -244,10 +246,10 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, i
     MeshReport report = {0};
     if (!scene_model_path(def, balloon->def->model, path, fault) ||
         !mesh_load(path, &balloon->mesh, &report, fault) ||
-        !suits(balloon, def->file, number, fault))
+        !check_mesh(balloon, def->file, number, fault))
         return false;
 
-    take_color(balloon, number);
+    set_color(balloon, number);
     make(balloon, def);
     balloon->good_x = new_array(real4, balloon->body.count);
     balloon->good_v = new_array(real4, balloon->body.count);
@@ -261,7 +263,7 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, i
     return true;
 }
 
-/// What make() made.
+/// Free what make() made.
 static void unmake(Balloon* balloon) {
     if (balloon->method->close)
         balloon->method->close(balloon->workspace);
@@ -273,28 +275,28 @@ static void unmake(Balloon* balloon) {
 
 void balloon_reset(Balloon* balloon, const WorldDef* def) {
     unmake(balloon);
-    balloon->hand = 0;
+    balloon->added_amount = 0;
     make(balloon, def);
 }
 
 void balloon_fill(Balloon* balloon, double t) {
     if (!balloon->def->inflation)
         return;
-    double amount = balloon->given;
+    double amount = balloon->scene_amount;
     const FillDef* fill = balloon->def->inflation->fill;
     if (fill) {
         const double part = fmin(fmax((t - fill->start) / fill->seconds, 0), 1);
-        amount += part * (fill->to - balloon->given);
+        amount += part * (fill->to - balloon->scene_amount);
     }
-    balloon->body.inflation.amount = amount + balloon->hand;
+    balloon->body.inflation.amount = amount + balloon->added_amount;
 }
 
 double balloon_pressure(const Balloon* balloon) {
     return inflation_pressure(&balloon->body);
 }
 
-/// Gas is let out in proportion to its gauge pressure, and none once that is gone.
-static double vented(const Balloon* balloon, double conductance, double seconds) {
+/// Amount of gas that escapes in that time: proportional to the gauge pressure, none below 0.
+static double vented_amount(const Balloon* balloon, double conductance, double seconds) {
     return conductance * seconds * fmax(balloon_pressure(balloon), 0);
 }
 
@@ -302,21 +304,21 @@ void balloon_blow(Balloon* balloon, double seconds) {
     Inflation* inflation = &balloon->body.inflation;
     if (inflation->law == INFLATE_NONE)
         return;
-    // a scene may start outside the keys' limits; the keys never push it further out
+    // a scene may start outside the keys' limits; keys never move it further out
     const double now = inflation->amount;
-    const double most = fmax(balloon->most, now), least = fmin(balloon->least, now);
+    const double max = fmax(balloon->max_amount, now), min = fmin(balloon->min_amount, now);
     const double change = seconds < 0 && inflation->law == INFLATE_GAS
-                              ? vented(balloon, balloon->vent, seconds)
+                              ? vented_amount(balloon, balloon->vent, seconds)
                               : seconds * balloon->rate;
-    const double next = fmin(fmax(now + change, least), most);
-    balloon->hand += next - now;
+    const double next = fmin(fmax(now + change, min), max);
+    balloon->added_amount += next - now;
     inflation->amount = next;
 }
 
 void balloon_leak(Balloon* balloon, double seconds) {
-    const double lost = fmin(vented(balloon, balloon->def->inflation->leak, seconds),
+    const double lost = fmin(vented_amount(balloon, balloon->def->inflation->leak, seconds),
                              balloon->body.inflation.amount);
-    balloon->hand -= lost;
+    balloon->added_amount -= lost;
     balloon->body.inflation.amount -= lost;
 }
 

@@ -1,4 +1,4 @@
-/// One balloon of the world: its mesh, its state, and what the user's hand changed.
+/// One balloon of the world: its mesh, its state, and the user's changes.
 #ifndef BALLOON_WORLD_BALLOON_H
 #define BALLOON_WORLD_BALLOON_H
 
@@ -18,41 +18,41 @@ typedef struct Balloon {
     void* workspace;      ///< the method's, for this body
     SolveStats stats;     ///< of the last kick
     float color[3];       ///< sRGB 0…1
-    double given;         ///< amount that the scene gives
-    double hand;          ///< amount that the keys have added
-    double rate;          ///< amount per second while a key is held
-    double least;         ///< the keys stop here
-    double most;          ///< and here
-    double vent;          ///< amount that the valve lets out per second and pascal [1/(s Pa)]
-    int strings;          ///< how many strings there are, tied or not
+    double scene_amount;  ///< amount of gas that the scene sets
+    double added_amount;  ///< amount that keys, pipes and leaks have added
+    double rate;          ///< change of the amount while a key is held [1/s]
+    double min_amount;    ///< lower limit of the keys
+    double max_amount;    ///< upper limit of the keys
+    double vent;          ///< conductance of the valve [1/(s Pa)]
+    int strings;          ///< number of strings, tied or not
     real4* good_x;        ///< [count] last good positions
     real4* good_v;        ///< [count] last good velocities
     real* good_thickness; ///< [elements] last good thicknesses
-    double slept_with;    ///< amount when it fell asleep
-    real4* v_start;       ///< [count] before the kick, where it may have to be taken back
+    double sleep_amount;  ///< amount when it fell asleep
+    real4* v_start;       ///< [count] velocities before the kick, which an unsolved step restores
 } Balloon;
 
-/// Load the model of balloon `number` and make everything that its def lists.
+/// Load the model of balloon `number` and make all parts that its def lists.
 bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, int number,
                   Fault* fault);
 
-/// The state as balloon_open made it: body, correction and the hand's amount.
+/// Restore the state that balloon_open made: body, strain limits and amount.
 void balloon_reset(Balloon* balloon, const WorldDef* def);
 
 /// Gauge pressure on the skin now [Pa].
 double balloon_pressure(const Balloon* balloon);
 
-/// The inflation's amount at time t: what the scene gives and fills, and what the keys added.
+/// Set the inflation's amount at time t: the scene's amount and filling, and the added amount.
 void balloon_fill(Balloon* balloon, double t);
 
-/// Blow by `seconds` at the balloon's rate (less than 0: let out, a gas through its valve), up to
-/// its limits.
+/// Inflate for `seconds` at the balloon's rate, up to its limits. Below 0: deflate, a gas through
+/// its valve.
 void balloon_blow(Balloon* balloon, double seconds);
 
-/// What a gas loses through its skin in that time.
+/// Remove the gas that leaks through the skin in that time.
 void balloon_leak(Balloon* balloon, double seconds);
 
-/// Tie all strings, or untie them. A balloon whose scene gives none gets one, from its lowest
+/// Tie all strings, or untie them. A balloon without strings in its scene gets one, from its lowest
 /// particle straight down to the floor.
 void balloon_tie(Balloon* balloon, const WorldDef* def, bool tied);
 

@@ -90,14 +90,14 @@ static bool press(World* world, const Event* event, Fault* fault) {
     return true;
 }
 
-/// What a log may set of a balloon while a world runs.
+/// A number of a balloon that a log may set while a world runs.
 typedef struct Setting {
     const char* key;
     double* (*of)(Balloon* balloon);
 } Setting;
 
 static double* amount_of(Balloon* balloon) {
-    return balloon->def->inflation ? &balloon->given : NULL;
+    return balloon->def->inflation ? &balloon->scene_amount : NULL;
 }
 
 static double* base_of(Balloon* balloon) {
@@ -124,7 +124,7 @@ static const Setting setting_table[] = {
     {"damping.rate", rate_of},
 };
 
-/// What it may set of the world.
+/// A number of the world that a log may set.
 typedef struct WorldSetting {
     const char* key;
     void (*set)(World* world, double value);
@@ -140,7 +140,7 @@ static const WorldSetting world_setting_table[] = {
     {"gravity", set_gravity},
 };
 
-/// "gravity", "balloons.2.damping.rate" or, of all balloons, "damping.rate".
+/// "gravity", "balloons.2.damping.rate", or "damping.rate" for all balloons.
 static bool set(World* world, const Event* event, Fault* fault) {
     char* end;
     const double value = strtod(event->value, &end);
@@ -176,7 +176,7 @@ static bool set(World* world, const Event* event, Fault* fault) {
     return fault_set(fault, event->name, "cannot be set while a scene runs");
 }
 
-static const double thrown_restitution = 0.5; ///< [1] of balls from the user's hand
+static const double thrown_restitution = 0.5; ///< [1] of balls that the user throws
 static const double thrown_friction = 0.5;    ///< [1]
 
 static bool throw(World * world, const Event* event, Fault* fault) {

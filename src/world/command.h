@@ -1,5 +1,5 @@
-/// What keys do to a world: the table that the input log, the help overlay, --help and the README
-/// walk. Keys that only change the view are in show/keys.c.
+/// Commands that keys give a world: the table from which the input log, the help overlay, --help
+/// and the README are made. Keys that only change the view are in show/keys.c.
 #ifndef BALLOON_WORLD_COMMAND_H
 #define BALLOON_WORLD_COMMAND_H
 
@@ -9,8 +9,8 @@ typedef struct Command {
     const char* name; ///< in the input log
     const char* key;  ///< default key, as the help shows it
     const char* about;
-    void (*down)(World* world);           ///< once, when the key goes down; or NULL
-    void (*hold)(World* world, double h); ///< in each step while it is down; or NULL
+    void (*down)(World* world);           ///< called once when the key goes down; or NULL
+    void (*hold)(World* world, double h); ///< called in each step while the key is down; or NULL
 } Command;
 
 /// inflate, deflate, select, correction, tarantino, string, reset.

@@ -20,7 +20,7 @@ static double energy(const Balloon* balloon, const Force* force) {
     return force->energy && force->present(body) ? force->energy(body) : 0;
 }
 
-/// Energy that the skin and its tethers store.
+/// Energy stored in the skin and its strings.
 static double elastic(const Balloon* balloon) {
     double sum = 0;
     for (int k = 0; k < force_count; k++)
@@ -123,13 +123,13 @@ static double rubber_worst(const Balloon* balloon) {
     return membrane_volume_ratio(&balloon->body.membrane, balloon->body.x).worst;
 }
 
-/// A string that is untied for now has no tension.
+/// An untied string has no tension.
 static double tension(const OutputSubject* s) {
     const Body* body = &s->balloon->body;
     return s->number < body->string_count ? string_tension(body, s->number) : 0;
 }
 
-/// A component of a ball's position or velocity; a ball that was taken away is nowhere.
+/// A component of a ball's position or velocity; NAN for a ball that was removed.
 static double sphere_component(const OutputSubject* s, bool is_velocity, int axis) {
     const Contacts* contacts = &s->world->contacts;
     if (s->number >= contacts->sphere_count)

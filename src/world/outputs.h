@@ -7,8 +7,8 @@
 
 #include "world/world.h"
 
-/// What a row is a number of: the time, each balloon, each string of a balloon, each ball, or all
-/// balls together.
+/// The subject of a row: the time, each balloon, each string of a balloon, each ball, or all balls
+/// together.
 typedef enum OutputKind {
     OF_TIME,
     OF_BALLOON,
@@ -24,18 +24,18 @@ extern const char* const output_prefix[OUTPUT_KINDS];
 /// One thing that has outputs.
 typedef struct OutputSubject {
     const World* world;
-    const Balloon* balloon; ///< of OF_BALLOON and OF_STRING
-    int number;             ///< of the string or the ball
+    const Balloon* balloon; ///< for OF_BALLOON and OF_STRING
+    int number;             ///< number of the string or the ball
 } OutputSubject;
 
 typedef struct Output {
     const char* column; ///< "volume"
     const char* unit;   ///< "1" where there is none
-    const char* about;  ///< a sentence's worth, for help and reference
+    const char* about;  ///< a phrase, for help and reference
     OutputKind kind;
     bool (*present)(const Balloon* balloon); ///< NULL: every balloon has it
     double (*of_balloon)(const Balloon* balloon);
-    double (*value)(const OutputSubject* subject); ///< of kinds other than OF_BALLOON
+    double (*value)(const OutputSubject* subject); ///< for kinds other than OF_BALLOON
 } Output;
 
 extern const Output output_table[];

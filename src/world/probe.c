@@ -9,7 +9,7 @@
 typedef bool (*Visit)(void* self, const char* name, const Output* output,
                       const OutputSubject* subject);
 
-/// The rows of one kind, of one subject.
+/// The rows of one kind for one subject.
 static bool walk_rows(OutputKind kind, const char* prefix, const OutputSubject* subject,
                       Visit visit, void* self) {
     char name[64];
@@ -24,7 +24,7 @@ static bool walk_rows(OutputKind kind, const char* prefix, const OutputSubject* 
     return false;
 }
 
-/// Columns are those of the scene: also a string that is untied for now has one.
+/// Columns are those of the scene: an untied string has one too.
 static bool walk_balloon(OutputSubject* subject, int b, Visit visit, void* self) {
     char prefix[48];
     subject->balloon = &subject->world->balloon[b];
@@ -40,7 +40,7 @@ static bool walk_balloon(OutputSubject* subject, int b, Visit visit, void* self)
     return false;
 }
 
-/// spheres: how many balls have columns.
+/// spheres: number of balls with columns.
 static bool walk(const World* world, int spheres, Visit visit, void* self) {
     OutputSubject subject = {.world = world};
     char prefix[48];

@@ -1,8 +1,8 @@
 /// Reads a world's outputs (world/outputs.h), in double, by name and as a CSV.
 ///
-/// What a scene does not model has no column: balls have columns in a scene that begins with some,
-/// as many as it begins with. `sphere0` is the first of the balls that there are; while there is no
-/// ball of a number, because they were taken away, its columns read nan.
+/// Only what a scene models has columns: there are columns for as many balls as the scene begins
+/// with. `sphere0` is the first of the present balls; the columns of a ball that was removed read
+/// nan.
 #ifndef BALLOON_WORLD_PROBE_H
 #define BALLOON_WORLD_PROBE_H
 
@@ -17,11 +17,10 @@ void probe_csv_header(const World* world, FILE* out);
 void probe_csv_row(const World* world, FILE* out);
 
 /// A column's value by its name ("balloon0.volume"); false when this world has no such column. Here
-/// every ball that is there has its own, thrown ones too, and where there are balls there is
-/// "pass_throughs".
+/// every present ball has columns, also a thrown one, and a world with balls has "pass_throughs".
 bool probe_value(const World* world, const char* column, double* value);
 
-/// All skins as they are now, one OBJ: vertices and faces in loaded order, balloon after balloon.
+/// All skins at present, as one OBJ file: vertices and faces in loaded order, balloon after balloon.
 void probe_obj(const World* world, FILE* out);
 
 #endif

@@ -11,9 +11,9 @@
 #include "world/command.h"
 
 enum {
-    VERSION = 1,      ///< of the log's form
-    LINE_MOST = 512,  ///< [bytes] longest line of an event, which has at most 250
-    STEP_DIGITS = 18, ///< what has more may not fit a long
+    VERSION = 1,          ///< of the log's format
+    LINE_MAX_BYTES = 512, ///< longest line; that of an event has at most 250
+    STEP_DIGITS = 18,     ///< more may not fit a long
 };
 static const char title[] = "# balloon input ";
 
@@ -24,15 +24,15 @@ typedef struct Line {
     Fault* fault;
 } Line;
 
-/// A kind of event by its word, and what its line looks like.
+/// A kind of event: its word, and the format of its line.
 typedef struct Kind {
     const char* name;
     const char* form;
-    bool (*take)(const char* words, Event* event); ///< false if the words are not of this form
-    bool (*judge)(const Event* event, const Line* line);
+    bool (*parse)(const char* words, Event* event); ///< false if the words are not in this format
+    bool (*validate)(const Event* event, const Line* line);
 } Kind;
 
-static bool judge_key(const Event* event, const Line* line) {
+static bool validate_key(const Event* event, const Line* line) {
     if (strcmp(event->value, "down") != 0 && strcmp(event->value, "up") != 0)
         return fault_at(line->fault, line->file, line->number,
                         "a key goes down or up, and not '%s'", event->value);
@@ -45,13 +45,13 @@ static bool judge_key(const Event* event, const Line* line) {
                     names);
 }
 
-static bool judge_set(const Event* event, const Line* line) {
+static bool validate_set(const Event* event, const Line* line) {
     (void)event;
     (void)line;
-    return true; // the world knows what may be set while it runs
+    return true; // world_event checks what may be set while a world runs
 }
 
-static bool judge_throw(const Event* event, const Line* line) {
+static bool validate_throw(const Event* event, const Line* line) {
     for (int i = 0; i < THROW_NUMBERS; i++)
         if (!isfinite(event->thrown[i]) || (i >= 6 && event->thrown[i] <= 0))
             return fault_at(line->fault, line->file, line->number,
@@ -59,8 +59,8 @@ static bool judge_throw(const Event* event, const Line* line) {
     return true;
 }
 
-// Take "NAME VALUE" apart; the value is the rest of the line. False if one is missing or too long.
-static bool take_pair(const char* words, Event* event) {
+// Split "NAME VALUE"; the value is the rest of the line. False if one is missing or too long.
+static bool parse_pair(const char* words, Event* event) {
     const size_t name = strcspn(words, " ");
     if (name == 0 || name >= sizeof event->name || words[name] != ' ')
         return false;
@@ -72,7 +72,7 @@ static bool take_pair(const char* words, Event* event) {
     return true;
 }
 
-static bool take_throw(const char* words, Event* event) {
+static bool parse_throw(const char* words, Event* event) {
     for (int i = 0; i < THROW_NUMBERS; i++) {
         char* end;
         event->thrown[i] = strtod(words, &end);
@@ -84,9 +84,9 @@ static bool take_throw(const char* words, Event* event) {
 }
 
 static const Kind kind_table[] = {
-    [EVENT_KEY] = {"key", "STEP key NAME down|up", take_pair, judge_key},
-    [EVENT_SET] = {"set", "STEP set KEY VALUE", take_pair, judge_set},
-    [EVENT_THROW] = {"throw", "STEP throw x y z vx vy vz mass radius", take_throw, judge_throw},
+    [EVENT_KEY] = {"key", "STEP key NAME down|up", parse_pair, validate_key},
+    [EVENT_SET] = {"set", "STEP set KEY VALUE", parse_pair, validate_set},
+    [EVENT_THROW] = {"throw", "STEP throw x y z vx vy vz mass radius", parse_throw, validate_throw},
 };
 enum { KINDS = sizeof kind_table / sizeof kind_table[0] };
 
@@ -119,14 +119,14 @@ static bool read_event(const char* text, Event* event, const Line* line) {
     if (kind == KINDS)
         return kind_fault(line, word, length);
     event->kind = (EventKind)kind;
-    if (word[length] != ' ' || !kind_table[kind].take(word + length + 1, event))
+    if (word[length] != ' ' || !kind_table[kind].parse(word + length + 1, event))
         return fault_at(line->fault, line->file, line->number, "this is not %s",
                         kind_table[kind].form);
-    return kind_table[kind].judge(event, line);
+    return kind_table[kind].validate(event, line);
 }
 
-// The first line says which form of log this is.
-static bool judge_title(const char* text, const Line* line) {
+// The first line names the format and its version.
+static bool validate_title(const char* text, const Line* line) {
     const size_t length = strlen(title);
     if (strncmp(text, title, length) == 0 && strtol(text + length, NULL, 10) == VERSION)
         return true;
@@ -134,13 +134,13 @@ static bool judge_title(const char* text, const Line* line) {
                     title, VERSION);
 }
 
-// Cut the end of a line off. False where there is none: the line is too long, or has a zero byte.
+// Remove the end of a line. False where there is none: the line is too long, or has a zero byte.
 static bool cut_end(char* text, bool last) {
     const size_t length = strlen(text);
     const bool ended = length > 0 && text[length - 1] == '\n';
     if (ended)
         text[length - 1] = '\0';
-    return ended || (last && length < LINE_MOST - 1);
+    return ended || (last && length < LINE_MAX_BYTES - 1);
 }
 
 static bool read_line(char* text, bool last, Record* record, const Line* line) {
@@ -148,7 +148,7 @@ static bool read_line(char* text, bool last, Record* record, const Line* line) {
         return fault_at(line->fault, line->file, line->number,
                         "this is no line of an input log: it is too long, or not text");
     if (line->number == 1)
-        return judge_title(text, line);
+        return validate_title(text, line);
     if (text[0] == '#' || text[0] == '\0')
         return true;
 
@@ -165,7 +165,7 @@ static bool read_line(char* text, bool last, Record* record, const Line* line) {
 }
 
 static bool read_all(FILE* in, Record* record, Line* line) {
-    char text[LINE_MOST];
+    char text[LINE_MAX_BYTES];
     while (fgets(text, sizeof text, in)) {
         line->number++;
         if (!read_line(text, feof(in), record, line))

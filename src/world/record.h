@@ -1,12 +1,12 @@
-/// The input log: everything a user does to a world, one event a line, stamped with the step before
-/// which it happens, in world units. Any session can be replayed to the same bits.
+/// The input log: all events of the user, one a line, in world units, each with the number of the
+/// step before which it happens. Replaying a log gives the same bits.
 ///
 ///     # balloon input 1 SCENE
 ///     STEP key NAME down|up
 ///     STEP set KEY VALUE
 ///     STEP throw x y z vx vy vz mass radius
 ///
-/// STEP counts world_step calls since the session began; a reset does not turn it back.
+/// STEP counts calls of world_step since world_open; a reset does not set it back.
 /// Keys act on the selected balloon, or on all if none is selected.
 /// The first line is always there; further lines that begin with # and empty ones are skipped.
 /// A VALUE is the rest of its line.
@@ -33,7 +33,7 @@ typedef struct Record {
     int count;
     int capacity;
     Event* event; ///< [capacity] in order of step
-    int next;     ///< the first event that was not replayed yet
+    int next;     ///< the first event that has not been replayed
 } Record;
 
 /// Read a log. A line that cannot be understood, a key that is not in the command table, or steps

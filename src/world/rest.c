@@ -4,12 +4,12 @@
 
 #include "world/world.h"
 
-static const double still_seconds = 0.5; ///< [s] before it sleeps
+static const double still_seconds = 0.5; ///< [s] time at rest before it sleeps
 
 void rest_wake_changed(World* world) {
     for (int b = 0; b < world->balloon_count; b++) {
         Balloon* balloon = &world->balloon[b];
-        if (balloon->body.asleep && balloon->body.inflation.amount != balloon->slept_with)
+        if (balloon->body.asleep && balloon->body.inflation.amount != balloon->sleep_amount)
             body_wake(&balloon->body);
     }
 }
@@ -21,9 +21,9 @@ void rest_wake_all(World* world) {
 
 /// Written so that a NaN is not still.
 static bool is_still(const Body* body, double rest) {
-    const real most = (real)(rest * body->size);
+    const real speed_max = (real)(rest * body->size);
     for (int i = 0; i < body->count; i++)
-        if (!(dot(body->v[i], body->v[i]) < most * most))
+        if (!(dot(body->v[i], body->v[i]) < speed_max * speed_max))
             return false;
     return true;
 }
@@ -34,10 +34,10 @@ static void sleep(Balloon* balloon) {
     memset(body->v, 0, (size_t)body->count * sizeof *body->v);
     memset(balloon->v_start, 0, (size_t)body->count * sizeof *balloon->v_start);
     balloon->stats = (SolveStats){0};
-    balloon->slept_with = body->inflation.amount;
+    balloon->sleep_amount = body->inflation.amount;
 }
 
-void rest_look(World* world) {
+void rest_check(World* world) {
     if (world->def.rest == 0 || world->step_count % GUARD_INTERVAL != 0)
         return;
     for (int b = 0; b < world->balloon_count; b++) {

@@ -10,13 +10,13 @@
 #include "world/command.h"
 #include "world/rest.h"
 
-enum { SPLITS_MOST = 1024 }; ///< of a step that a method cannot solve
-enum { PARTS_MOST = 4096 };  ///< of a step; what is left of it then is dropped: the ball waits
+enum { SPLITS_MAX = 1024 }; ///< shortest substep of a method that cannot solve a step: 1/1024 of it
+enum { SUBSTEPS_NEAR = 4096 }; ///< most substeps near balls; the rest of the step is dropped
 
-/// What is left of a step after its parts and is no part of its own. [1]
+/// A remainder of a step that is only rounding. [of the step]
 static const double rounding = 1e-12;
 
-/// Floor, walls, and the balls that are there from the start.
+/// Floor, walls, and the balls of the scene.
 static void open_contacts(World* world) {
     const WorldDef* def = &world->def;
     Plane* plane = new_array(Plane, def->walls_count + 1);
@@ -24,10 +24,10 @@ static void open_contacts(World* world) {
     if (def->floor)
         plane[planes++] = (Plane){.point = {0, *def->floor, 0, 0}, .normal = {0, 1, 0, 0}};
     for (unsigned w = 0; w < def->walls_count; w++) {
-        const double *at = def->walls[w].at, *n = def->walls[w].normal;
+        const double *point = def->walls[w].at, *n = def->walls[w].normal;
         const double4 normal = {n[0], n[1], n[2], 0};
         plane[planes++] =
-            (Plane){.point = {at[0], at[1], at[2], 0}, .normal = normal / dlength(normal)};
+            (Plane){.point = {point[0], point[1], point[2], 0}, .normal = normal / dlength(normal)};
     }
     contacts_open(&world->contacts, def->contact, scene_gravity(def), plane, planes,
                   world->system.body, (const real4* const*)world->system.v_start,
@@ -97,8 +97,8 @@ void world_reset(World* world) {
     begin(world);
 }
 
-/// What the scene's filling and the held keys make of the amounts at the end of this step.
-static void take_hand(World* world) {
+/// Set the amounts of gas at the end of this step: the scene's filling and the held keys.
+static void update_amounts(World* world) {
     for (int b = 0; b < world->balloon_count; b++)
         balloon_fill(&world->balloon[b], (double)(world->step_count + 1) * world->step);
     for (int k = 0; k < command_count; k++)
@@ -106,8 +106,8 @@ static void take_hand(World* world) {
             command_table[k].hold(world, world->step);
 }
 
-/// Gas goes through pipes and leaks: what is lost on one side of a pipe arrives on the other.
-static void flow(World* world, double h) {
+/// Move gas through pipes, from one balloon to the other, and through leaks, out of balloons.
+static void flow_gas(World* world, double h) {
     for (unsigned k = 0; k < world->def.pipes_count; k++) {
         const PipeDef* pipe = &world->def.pipes[k];
         if (world_time(world) < pipe->start)
@@ -120,7 +120,7 @@ static void flow(World* world, double h) {
             Inflation* gas = &end[e]->body.inflation;
             const double change =
                 (e ? 1 : -1) * energy / (gas->unit * gas->temperature * gas->first_volume);
-            end[e]->hand += change;
+            end[e]->added_amount += change;
             gas->amount += change;
         }
     }
@@ -131,7 +131,7 @@ static void flow(World* world, double h) {
     }
 }
 
-static void say_factored(World* world, double h) {
+static void notice_factored(World* world, double h) {
     for (int b = 0; b < world->balloon_count; b++)
         if (!world->balloon[b].body.asleep && world->balloon[b].stats.factored)
             snprintf(world->notice, sizeof world->notice,
@@ -161,28 +161,28 @@ static void drift(World* world, double h) {
     world->drift = h;
 }
 
-/// Kick by h, or by a half, a quarter … of it where the method cannot solve more; returns the length
-/// of the drift, 0 where it cannot solve the shortest substep.
+/// Kick by h, or by the first half, quarter … of h that the method can solve. Returns the length of
+/// the drift, or 0 where the method cannot solve the shortest substep.
 static double kick(World* world, double h, double whole) {
     double length;
     while (!world->method->kick(world->method, &world->system, &world->contacts, h, &length)) {
-        say_factored(world, h);
-        if (h < whole / SPLITS_MOST) {
+        notice_factored(world, h);
+        if (h < whole / SPLITS_MAX) {
             blowup_unsolved(world, world->system.unsolved, h);
             return 0;
         }
         h /= 2;
         world->solvable = h / whole;
     }
-    say_factored(world, h);
+    notice_factored(world, h);
     return length;
 }
 
-/// As long as h, in one substep, or in several where balls are near or a method cannot solve the
-/// whole: a safe length, kick, drift.
+/// Advance by h, in several substeps where balls are near or a method cannot solve h at once: each
+/// is a safe length, a kick and a drift.
 static void advance(World* world, double h) {
     const double whole = h;
-    for (int parts = 0; h > whole * rounding && parts < PARTS_MOST; parts++) {
+    for (int parts = 0; h > whole * rounding && parts < SUBSTEPS_NEAR; parts++) {
         const double safe = contacts_safe_step(&world->contacts, fmin(h, world->solvable * whole));
         const double length = kick(world, safe, whole);
         if (world->blowup.halted)
@@ -194,16 +194,16 @@ static void advance(World* world, double h) {
     if (h > whole * rounding)
         snprintf(world->notice, sizeof world->notice,
                  "a ball and a skin need more than %d parts of step %ld: %.3g s of it are dropped",
-                 PARTS_MOST, world->step_count, h);
+                 SUBSTEPS_NEAR, world->step_count, h);
 }
 
 void world_step(World* world) {
     world->clock++;
     if (world->blowup.halted)
         return;
-    take_hand(world);
+    update_amounts(world);
 
-    // hold the step against the stability bound, which moves with the pressure
+    // compare the step with the stability bound, which changes with the pressure
     if (world->guard.changed || world->step_count % GUARD_INTERVAL == 0) {
         int body;
         const GuardVerdict verdict =
@@ -213,7 +213,7 @@ void world_step(World* world) {
     if (world->blowup.halted)
         return;
 
-    flow(world, world->step);
+    flow_gas(world, world->step);
     rest_wake_changed(world);
     const double h = world->step / world->guard.substeps;
     for (int part = 0; part < world->guard.substeps && !world->blowup.halted; part++)
@@ -222,9 +222,9 @@ void world_step(World* world) {
         return;
     world->step_count++;
 
-    // a state that went bad is caught here, at its step
+    // a bad state is found at its step
     blowup_check(world);
-    rest_look(world);
+    rest_check(world);
 }
 
 uint64_t world_hash(const World* world) {

@@ -1,7 +1,7 @@
-/// The world: balloons, the step, and what a user may do to it.
+/// The world: balloons, the step, and the user's events.
 ///
-/// `world_step` is the whole simulation in the order of the equations. Nothing here knows of wall
-/// time, windows or pictures; the same def and the same events give the same bits.
+/// `world_step` is the whole simulation in the order of the equations. It does not depend on wall
+/// time, windows or pictures: the same def and the same events give the same bits.
 #ifndef BALLOON_WORLD_WORLD_H
 #define BALLOON_WORLD_WORLD_H
 
@@ -25,13 +25,13 @@ struct World {
     Contacts contacts; ///< balls, floor, walls
     double step;       ///< h [s]
     long step_count;   ///< steps since the start or the last reset
-    long clock;        ///< calls of world_step since world_open, which a reset does not turn back
+    long clock;        ///< calls of world_step since world_open; a reset does not set it back
     long good_step;    ///< the step of the last good state
     int selected;      ///< balloon that keys act on, or ALL_BALLOONS
     unsigned held;     ///< commands whose key is down, bit k for row k of command_table
     StepGuard guard;
-    double drift;    ///< length of the last drift, shorter where balls are near [s]
-    double solvable; ///< part of a step that the method last could solve [1]
+    double drift;    ///< length of the last drift, which is shorter where balls are near [s]
+    double solvable; ///< longest substep that the method could last solve [of the step]
     Blowup blowup;
     char notice[256]; ///< to be shown once; empty: nothing
 };
@@ -40,11 +40,11 @@ struct World {
 /// this fails). Bad models and refused pairs are faults.
 bool world_open(World* world, WorldDef* def, Fault* fault);
 
-/// One fixed step: kick, correction, contacts, drift, guard, rest. Once halted, only the clock goes
-/// on.
+/// One fixed step: kick, strain limits, contacts, drift, check, rest. Once halted, only the clock
+/// advances.
 void world_step(World* world);
 
-/// Everything as world_open left it.
+/// Restore the state after world_open, except the clock.
 void world_reset(World* world);
 
 /// Apply an event of the input log. Unknown keys are faults.
@@ -55,8 +55,8 @@ static inline double world_time(const World* world) {
     return (double)world->step_count * world->step;
 }
 
-/// Hash of every particle's position and velocity, balloons in order, particles in loaded order,
-/// and of every ball's; where balloons may sleep, for how long they have been still.
+/// Hash of the position and velocity of every particle (balloons in order, particles in loaded
+/// order) and ball; where balloons may sleep, also of how long they have been still.
 uint64_t world_hash(const World* world);
 
 void world_close(World* world);

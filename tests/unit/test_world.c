@@ -204,7 +204,7 @@ static void selected_balloon_alone_obeys(void** state) {
     press(&world, "inflate", "down");
     run_for(&world, 0.1);
     for (int b = 0; b < 3; b++) {
-        const double grown = world.balloon[b].hand;
+        const double grown = world.balloon[b].added_amount;
         assert_true(b == 1 ? grown > 0 : grown == 0);
         assert_true(world.balloon[b].body.inflation.amount >= before[b]);
     }
