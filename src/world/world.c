@@ -10,7 +10,7 @@
 #include "world/command.h"
 #include "world/rest.h"
 
-enum { SPLITS_MAX = 1024 }; ///< shortest substep of a method that cannot solve a step: 1/1024 of it
+enum { SPLITS_MAX = 1024 };    ///< a method that cannot solve 1/1024 of a step fails
 enum { SUBSTEPS_NEAR = 4096 }; ///< most substeps near balls; the rest of the step is dropped
 
 /// A remainder of a step that is only rounding. [of the step]
