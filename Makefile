@@ -9,6 +9,7 @@
 # make golden   write tests/golden/hashes.csv anew, after a change of bits on purpose
 # make chart    chart speed against accuracy to out/chart, and the README files' picture and table
 # make bench    measure and print speed, and what every shipped scene needs
+# make reference   write the scene reference (assets/scenes/README.md) anew
 # make format   rewrite the sources as clang-format has them
 # make compile_commands.json   for editors and clang-tidy
 # make clean    remove what was built
@@ -54,7 +55,7 @@ ONLY    ?=
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
 SCENE   ?=
 
-.PHONY: all help run test check tidy golden bench chart format clean install programs tests tests-syntax \
+.PHONY: all help run test check tidy golden bench chart reference format clean install programs tests tests-syntax \
     packages-build packages-run packages-test packages-check headers
 .DELETE_ON_ERROR:
 
@@ -119,6 +120,12 @@ chart: packages-build packages-run
 	@$(BUILD)/balloon chart --out out/chart
 	@cp out/chart/sphere-gas.png assets/chart.png
 	@sed -i -e '/^<!-- chart:/,/^<!-- end of chart/{//!d}' -e '/^<!-- chart:/r out/chart/chart.md' src/lab/README.md
+
+reference: packages-build
+	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/balloon
+	@mkdir -p out
+	@$(BUILD)/balloon keys >out/keys.md
+	@sed -i -e '/^<!-- keys:/,/^<!-- end of keys/{//!d}' -e '/^<!-- keys:/r out/keys.md' assets/scenes/README.md
 
 format: packages-check
 	find src tests/unit -name "*.[ch]" -o -name "*.[ch]pp" | xargs clang-format -i

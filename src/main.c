@@ -33,6 +33,7 @@ static const Verb verb_table[] = {
     {"needs",  "[SCENE]",      "what the scene could do without; all: --all", verb_needs},
     {"advise", "SCENE",        "the cheapest way within --error, or the closest within --budget", verb_advise},
     {"list",   "",             "scenes, shapes, forces, methods, display modes",   verb_list},
+    {"keys",   "",             "the scene reference: keys, outputs, input log",    verb_keys},
 };
 enum { VERBS = sizeof verb_table / sizeof *verb_table };
 // clang-format on

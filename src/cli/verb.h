@@ -20,5 +20,6 @@ bool verb_advise(const Options* options, Fault* fault);
 // verb_list.c
 bool verb_check(const Options* options, Fault* fault);
 bool verb_list(const Options* options, Fault* fault);
+bool verb_keys(const Options* options, Fault* fault);
 
 #endif

@@ -32,9 +32,8 @@ bool verb_peer(const Options* options, Fault* fault) {
         return fault_set(fault, "--csv", "a peer prints its numbers; write --csv -");
     if (!read_fit(options->fit, &peer.fit, fault) || !cli_open_world(options, &world, fault))
         return false;
-    const double fallback = world.def.seconds > 0 ? world.def.seconds : 10;
     const bool good =
-        options_number(options->seconds, "--seconds", fallback, &peer.seconds, fault) &&
+        options_number(options->seconds, "--seconds", world.def.seconds, &peer.seconds, fault) &&
         options_number(options->fps, "--fps", 60, &peer.fps, fault) &&
         peer_run(&world, &peer, options->csv ? stdout : NULL, fault);
     if (good && options->hash)

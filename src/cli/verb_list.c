@@ -7,9 +7,12 @@
 #include "lab/chart/chart_case.h"
 #include "mesh/load.h"
 #include "mesh/shape.h"
+#include "scene/reference.h"
 #include "solve/method.h"
 #include "view/mode.h"
 #include "world/fails.h"
+#include "world/outputs.h"
+#include "world/record.h"
 
 bool verb_check(const Options* options, Fault* fault) {
     Mesh mesh = {0};
@@ -88,5 +91,14 @@ bool verb_list(const Options* options, Fault* fault) {
     puts("display modes");
     for (int k = 0; k < mode_count; k++)
         printf("  %-22s %s\n", mode_table[k]->name, mode_table[k]->about);
+    return true;
+}
+
+bool verb_keys(const Options* options, Fault* fault) {
+    (void)options;
+    (void)fault;
+    scene_reference(stdout);
+    outputs_reference(stdout);
+    record_reference(stdout);
     return true;
 }

@@ -24,8 +24,8 @@ static bool show_options(const Options* options, const Sets* sets, const World* 
         (sscanf(options->size, "%dx%d", &show->width, &show->height) != 2 || show->width < 16 ||
          show->height < 16 || show->width > 16384 || show->height > 16384))
         return fault_set(fault, "--size", "'%s' is not a size such as 1280x720", options->size);
-    const double fallback = world->def.seconds > 0 ? world->def.seconds : 10;
-    return options_number(options->seconds, "--seconds", fallback, &show->seconds, fault) &&
+    return options_number(options->seconds, "--seconds", world->def.seconds, &show->seconds,
+                          fault) &&
            options_number(options->fps, "--fps", 60, &show->fps, fault);
 }
 
@@ -76,10 +76,9 @@ bool verb_run(const Options* options, Fault* fault) {
                               .quiet = options->quiet};
     if (!cli_open_pair(options, &sets, &world, &ghost, fault))
         return false;
-    const double fallback = world.def.seconds > 0 ? world.def.seconds : 10;
-    const bool good =
-        options_number(options->seconds, "--seconds", fallback, &run_options.seconds, fault) &&
-        options_number(options->fps, "--fps", 60, &run_options.fps, fault) &&
-        run(&world, &run_options, fault);
+    const bool good = options_number(options->seconds, "--seconds", world.def.seconds,
+                                     &run_options.seconds, fault) &&
+                      options_number(options->fps, "--fps", 60, &run_options.fps, fault) &&
+                      run(&world, &run_options, fault);
     return print_hash_and_close(options, &world, &ghost, good);
 }

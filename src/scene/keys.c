@@ -18,7 +18,7 @@ const char* const precision_name[PRECISIONS] = {"any", "float", "double"};
 #define DEF CameraDef
 static const Key camera_row[] = {
     {{"eye",  "m", ANY, NAN, "where the eye is"},      KEY_VECTOR, AT(eye),  .required = true},
-    {{"look", "m", ANY, NAN, "the point it looks at"}, KEY_VECTOR, AT(look), .required = true},
+    {{"look", "m", ANY, NAN, "the point that it looks at"}, KEY_VECTOR, AT(look), .required = true},
 };
 #undef DEF
 static const KeyGroup camera_keys = GROUP(camera_row, CameraDef);
@@ -26,10 +26,10 @@ static const KeyGroup camera_keys = GROUP(camera_row, CameraDef);
 #define DEF AboutDef
 static const Key about_row[] = {
     {{"output", NO_NUMBER, "a column of the CSV"}, KEY_TEXT, AT(output), .longest = WORD_LONGEST},
-    {{"at", "s", NOT_NEGATIVE, 0, "when it counts"}, KEY_NUMBER, AT(at)},
-    {{"tolerance", "1", POSITIVE, NAN, "how far off it may be, relative to its size; required with "
+    {{"at", "s", NOT_NEGATIVE, 0, "time at which the output is compared"}, KEY_NUMBER, AT(at)},
+    {{"tolerance", "1", POSITIVE, NAN, "largest error, relative to the output's size; required with "
       "`output`"}, KEY_NUMBER, AT(tolerance), .absent = "none"},
-    {{"none", NO_NUMBER, "the one item that says why no output can be held to a number"}, KEY_TEXT,
+    {{"none", NO_NUMBER, "instead of outputs, in one item: why no output can be held to a number"}, KEY_TEXT,
      AT(none), .longest = TEXT_LONGEST},
 };
 #undef DEF
@@ -49,10 +49,10 @@ static const KeyGroup because_keys = GROUP(because_row, BecauseDef);
 static const Key fails_row[] = {
     {{"at", "s", POSITIVE, NAN, "by when the scene has failed"}, KEY_NUMBER, AT(at), .required = true},
     {{"halts", NO_NUMBER, "the state goes bad and is caught"}, KEY_FLAG, AT(halts)},
-    {{"output", NO_NUMBER, "or this column of the CSV is on the wrong side of a limit"}, KEY_TEXT,
+    {{"output", NO_NUMBER, "without `halts`: a column of the CSV, on the wrong side of a limit"}, KEY_TEXT,
      AT(output), .longest = WORD_LONGEST},
-    {{"above", "of the output", ANY, NAN, "it fails above this"}, KEY_OPTIONAL, AT(above)},
-    {{"below", "of the output", ANY, NAN, "or below this"}, KEY_OPTIONAL, AT(below)},
+    {{"above", "of the output", ANY, NAN, "limit above which it fails"}, KEY_OPTIONAL, AT(above)},
+    {{"below", "of the output", ANY, NAN, "limit below which it fails; one of the two"}, KEY_OPTIONAL, AT(below)},
     {{"truth", "of the output", ANY, NAN, "the right value"}, KEY_OPTIONAL, AT(truth)},
     {{"cure", NO_NUMBER, "overrides, KEY=VALUE, with which the scene does not fail"}, KEY_TEXTS,
      AT(cure), COUNT(cure_count), .longest = TEXT_LONGEST},
@@ -76,7 +76,7 @@ static const KeyGroup sphere_keys = GROUP(sphere_row, SphereDef);
 #define DEF WallDef
 static const Key wall_row[] = {
     {{"at", "m", ANY, NAN, "a point of the wall"}, KEY_VECTOR, AT(at), .required = true},
-    {{"normal", "1", ANY, NAN, "direction, of any length, to the side of the balloons"}, KEY_VECTOR,
+    {{"normal", "1", ANY, NAN, "direction to the side of the balloons, of any length but 0"}, KEY_VECTOR,
      AT(normal), .required = true},
 };
 #undef DEF
@@ -84,9 +84,9 @@ static const KeyGroup wall_keys = GROUP(wall_row, WallDef);
 
 #define DEF PipeDef
 static const Key pipe_row[] = {
-    {{"from", "1", NOT_NEGATIVE, NAN, "number of a balloon"}, KEY_NUMBER, AT(from), .required = true},
+    {{"from", "1", NOT_NEGATIVE, NAN, "number of a balloon with gas, from 0"}, KEY_NUMBER, AT(from), .required = true},
     {{"to", "1", NOT_NEGATIVE, NAN, "number of another"}, KEY_NUMBER, AT(to), .required = true},
-    {{"conductance", "m^3/s", POSITIVE, NAN, "p V that flows per second and pascal of difference"},
+    {{"conductance", "m^3/s", POSITIVE, NAN, "p V that flows per second and pascal of pressure difference"},
      KEY_NUMBER, AT(conductance), .required = true},
     {{"start", "s", NOT_NEGATIVE, 0, "when the pipe is opened"}, KEY_NUMBER, AT(start)},
 };
@@ -96,11 +96,11 @@ static const KeyGroup pipe_keys = GROUP(pipe_row, PipeDef);
 #define DEF SolverDef
 static const Key solver_row[] = {
     {{"iterations", "1", 0, 10000, false, 0, "largest number for each step"}, KEY_NUMBER,
-     AT(iterations), .absent = "0, the method's own number"},
-    {{"tolerance", "1", 0, 1, false, 0, "residual, relative to the first, at which a step is solved"},
-     KEY_NUMBER, AT(tolerance), .absent = "0, the method's own"},
-    {{"linear_tolerance", "1", 0, 1, false, 0, "the same for each linear system"}, KEY_NUMBER,
-     AT(linear_tolerance), .absent = "0, the method's own"},
+     AT(iterations), .absent = "0: the method's own number"},
+    {{"tolerance", "1", 0, 1, false, 0, "relative residual at which a step is solved"},
+     KEY_NUMBER, AT(tolerance), .absent = "0: the method's own"},
+    {{"linear_tolerance", "1", 0, 1, false, 0, "relative residual at which each of its linear systems is solved"}, KEY_NUMBER,
+     AT(linear_tolerance), .absent = "0: the method's own"},
     {{"fixed", NO_NUMBER, "make all iterations, whatever the residual"}, KEY_FLAG, AT(fixed)},
     {{"start", NO_NUMBER, "where the iterations of a step begin"}, KEY_NAME, AT(start),
      .name = step_start_name, .name_count = STEP_STARTS},
@@ -125,20 +125,20 @@ static const Key world_row[] = {
     {{"floor", "m", ANY, NAN, "height of the floor"}, KEY_OPTIONAL, AT(floor), .absent = "no floor"},
     {{"guard", NO_NUMBER, "what to do with a step above the stability bound"}, KEY_NAME, AT(guard),
      .name = guard_name, .name_count = GUARD_COUNT},
-    {{"precision", NO_NUMBER, "of the state"}, KEY_NAME, AT(precision), .name = precision_name,
+    {{"precision", NO_NUMBER, "number type of the state; `any`: that of the program, float for balloon"}, KEY_NAME, AT(precision), .name = precision_name,
      .name_count = PRECISIONS},
-    {{"method", NO_NUMBER, "how a step is made: a method of `balloon list`"}, KEY_TEXT, AT(method),
-     .absent = "euler", .longest = WORD_LONGEST},
+    {{"method", NO_NUMBER, "method of the steps: one of `balloon list`"}, KEY_TEXT, AT(method),
+     .absent = "`euler`", .longest = WORD_LONGEST},
     {{"solver", NO_NUMBER, "how a method solves its steps"}, KEY_MAPPING, AT(solver),
      .group = &solver_keys},
     {{"show", NO_NUMBER, "the display mode at the start: one of `balloon list`"}, KEY_TEXT, AT(show),
-     .absent = "skin", .longest = WORD_LONGEST},
-    {{"rest", "1/s", 0, 1, false, 0, "a balloon slower than this many of its sizes a second sleeps; "
-      "0: none does"}, KEY_NUMBER, AT(rest)},
+     .absent = "`skin`", .longest = WORD_LONGEST},
+    {{"rest", "1/s", 0, 1, false, 0, "a balloon sleeps once each of its particles has been slower than "
+      "this many of its sizes a second for half a second; 0: none sleeps"}, KEY_NUMBER, AT(rest)},
     {{"seconds", "s", POSITIVE, 10, "how long headless runs last"}, KEY_NUMBER, AT(seconds)},
     {{"camera", NO_NUMBER, "where the eye is"}, KEY_POINTER, AT(camera), .group = &camera_keys,
      .absent = "the whole scene is in sight"},
-    {{"about", NO_NUMBER, "the outputs that the scene is for"}, LIST(about, about_keys)},
+    {{"about", NO_NUMBER, "the outputs that the scene is for; `balloon needs` judges by them"}, LIST(about, about_keys)},
     {{"because", NO_NUMBER, "why parts stay that the outputs do not need"}, LIST(because, because_keys)},
     {{"fails", NO_NUMBER, "what goes wrong in a scene of the museum of failures"}, KEY_POINTER,
      AT(fails), .group = &fails_keys},

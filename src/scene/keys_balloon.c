@@ -15,11 +15,11 @@
 static const Key springs_row[] = {
     {{"structural", "N/m", NOT_NEGATIVE, 0, "stiffness along edges; 0: no such springs"}, KEY_NUMBER,
      AT(structural)},
-    {{"shear", "N/m", NOT_NEGATIVE, 0, "across faces"}, KEY_NUMBER, AT(shear)},
-    {{"flexion", "N/m", NOT_NEGATIVE, 0, "over a particle to the next but one"}, KEY_NUMBER,
+    {{"shear", "N/m", NOT_NEGATIVE, 0, "stiffness across faces"}, KEY_NUMBER, AT(shear)},
+    {{"flexion", "N/m", NOT_NEGATIVE, 0, "stiffness over a particle to the next but one"}, KEY_NUMBER,
      AT(flexion)},
-    {{"torsion", "N m", NOT_NEGATIVE, 0, "against bending at edges: the one kind that acts on an "
-      "angle"}, KEY_NUMBER, AT(torsion)},
+    {{"torsion", "N m", NOT_NEGATIVE, 0, "stiffness against bending at edges: the one kind that "
+      "acts on an angle"}, KEY_NUMBER, AT(torsion)},
     {{"law", NO_NUMBER, "force of a spring over its stretch"}, KEY_NAME, AT(law),
      .name = spring_law_name, .name_count = SPRING_LAWS},
 };
@@ -28,10 +28,10 @@ static const KeyGroup springs_keys = GROUP(springs_row, SpringsDef);
 
 #define DEF PatchDef
 static const Key patch_row[] = {
-    {{"at", "m", ANY, NAN, "its middle, in the world at rest"}, KEY_VECTOR, AT(at), .required = true},
-    {{"radius", "m", POSITIVE, NAN, "where the patch ends"}, KEY_NUMBER, AT(radius),
+    {{"at", "m", ANY, NAN, "middle of the patch, in the world at the start"}, KEY_VECTOR, AT(at), .required = true},
+    {{"radius", "m", POSITIVE, NAN, "distance from the middle at which the patch ends"}, KEY_NUMBER, AT(radius),
      .required = true},
-    {{"thickness", "m", POSITIVE, NAN, "of the rubber in the middle of the patch"}, KEY_NUMBER,
+    {{"thickness", "m", POSITIVE, NAN, "thickness in the middle of the patch; it goes over into the skin's smoothly"}, KEY_NUMBER,
      AT(thickness), .required = true},
 };
 #undef DEF
@@ -39,15 +39,15 @@ static const KeyGroup patch_keys = GROUP(patch_row, PatchDef);
 
 #define DEF MembraneDef
 static const Key membrane_row[] = {
-    {{"material", NO_NUMBER, "law of the rubber"}, KEY_TEXT, AT(material), .required = true,
+    {{"material", NO_NUMBER, "law of the rubber: `neo-hookean`, `mooney-rivlin`, `stvk` or `stvk-3d`"}, KEY_TEXT, AT(material), .required = true,
      .longest = WORD_LONGEST},
     {{"young", "Pa", POSITIVE, NAN, "Young's modulus E"}, KEY_NUMBER, AT(young), .required = true},
     {{"poisson", "1", -1, 0.5, true, NAN, "Poisson's ratio"}, KEY_OPTIONAL, AT(poisson),
-     .absent = "1/2, or 0.45 where the law cannot take that"},
-    {{"mooney", "1", NOT_NEGATIVE, 0, "C2/C1 of mooney-rivlin"}, KEY_NUMBER, AT(mooney)},
-    {{"density", "kg/m^3", POSITIVE, NAN, "of the rubber"}, KEY_NUMBER, AT(density),
+     .absent = "1/2, or 0.45 of `stvk-3d`, which cannot take that"},
+    {{"mooney", "1", NOT_NEGATIVE, 0, "C2/C1 of `mooney-rivlin`"}, KEY_NUMBER, AT(mooney)},
+    {{"density", "kg/m^3", POSITIVE, NAN, "density of the rubber"}, KEY_NUMBER, AT(density),
      .required = true},
-    {{"thickness", "m", POSITIVE, NAN, "of the rubber without stress"}, KEY_NUMBER, AT(thickness),
+    {{"thickness", "m", POSITIVE, NAN, "thickness of the rubber without stress"}, KEY_NUMBER, AT(thickness),
      .required = true},
     {{"volume", NO_NUMBER, "how the rubber keeps its volume: each element by its thickness, or all "
       "by moving the skin"}, KEY_NAME, AT(volume), .name = volume_rule_name,
@@ -61,7 +61,7 @@ static const KeyGroup membrane_keys = GROUP(membrane_row, MembraneDef);
 #define DEF SkinDef
 static const Key skin_row[] = {
     {{"springs", NO_NUMBER, "a skin of springs"}, KEY_POINTER, AT(springs), .group = &springs_keys},
-    {{"membrane", NO_NUMBER, "a skin of rubber with thickness; one of the two"}, KEY_POINTER,
+    {{"membrane", NO_NUMBER, "a skin of rubber with thickness; not with `springs`"}, KEY_POINTER,
      AT(membrane), .group = &membrane_keys},
 };
 #undef DEF
@@ -89,26 +89,26 @@ static const KeyGroup fill_keys = GROUP(fill_row, FillDef);
 static const Key inflation_row[] = {
     {{"law", NO_NUMBER, "what the pressure depends on"}, KEY_NAME, AT(law), .required = true,
      .name = inflation_law_name, .name_count = INFLATION_LAWS},
-    {{"amount", "of amount", ANY, 0, "area: force per area; pressure: gauge pressure [Pa]; gas: "
-      "multiples of the gas that fills the first volume at ambient pressure [1]"}, KEY_NUMBER,
+    {{"amount", "of amount", ANY, 0, "area [N]: the pressure is 100 amount over the skin's area; "
+      "pressure [Pa]: gauge pressure; gas [1]: multiples of the gas that fills the first volume at "
+      "the pressure `unit`"}, KEY_NUMBER,
      AT(amount)},
     {{"rate", "of amount/s", NOT_NEGATIVE, NAN, "change while the key is held"}, KEY_NUMBER, AT(rate),
-     .absent = "a tenth of the range"},
-    {{"least", "of amount", ANY, 0, "the keys stop here"}, KEY_NUMBER, AT(least)},
-    {{"most", "of amount", ANY, NAN, "and here"}, KEY_NUMBER, AT(most),
-     .absent = "ten times the amount, or 100 where that is 0"},
+     .absent = "a tenth of the range from `least` to `most`"},
+    {{"least", "of amount", ANY, 0, "smallest amount that the keys reach"}, KEY_NUMBER, AT(least)},
+    {{"most", "of amount", ANY, NAN, "largest amount that the keys reach"}, KEY_NUMBER, AT(most),
+     .absent = "ten times the amount, or 100 where that is not above 0"},
     {{"ambient", "Pa", NOT_NEGATIVE, 101325, "gas: pressure outside"}, KEY_OPTIONAL, AT(ambient)},
     {{"unit", "Pa", POSITIVE, NAN, "gas: pressure of amount 1 in the first volume"}, KEY_OPTIONAL,
-     AT(unit), .absent = "ambient pressure, or 101325 where that is 0"},
-    {{"temperature", "K", POSITIVE, 293.15, "gas: its temperature; amount counts at 293.15"},
+     AT(unit), .absent = "`ambient`, or 101325 where that is 0"},
+    {{"temperature", "K", POSITIVE, 293.15, "gas: its temperature; amount 1 has the pressure `unit` at 293.15 K"},
      KEY_OPTIONAL, AT(temperature)},
     {{"adiabatic", NO_NUMBER, "gas: no heat goes through the skin"}, KEY_FLAG, AT(adiabatic)},
-    {{"filling", NO_NUMBER, "gas: air or helium, which then has weight and is lifted by the air "
-      "outside"}, KEY_TEXT, AT(filling), .absent = "a gas without weight", .longest = WORD_LONGEST},
+    {{"filling", NO_NUMBER, "gas: `air` or `helium`, which has weight, and the air outside lifts "
+      "the balloon"}, KEY_TEXT, AT(filling), .absent = "a gas without weight", .longest = WORD_LONGEST},
     {{"leak", "1/(s Pa)", NOT_NEGATIVE, 0, "gas: amount lost per second and pascal of gauge pressure"},
      KEY_NUMBER, AT(leak)},
-    {{"vent", "1/(s Pa)", NOT_NEGATIVE, NAN, "gas: the same through the valve while the deflate key "
-      "is held"}, KEY_NUMBER, AT(vent), .absent = "rate per 1000 Pa"},
+    {{"vent", "1/(s Pa)", NOT_NEGATIVE, NAN, "gas: the same while the deflate key is held"}, KEY_NUMBER, AT(vent), .absent = "`rate` per 1000 Pa"},
     {{"fill", NO_NUMBER, "the amount changes in a straight line over time"}, KEY_POINTER, AT(fill),
      .group = &fill_keys},
 };
@@ -128,17 +128,17 @@ static const KeyGroup helium_keys = GROUP(helium_row, HeliumDef);
 static const Key damping_row[] = {
     {{"coefficient", "kg/s", NOT_NEGATIVE, 0, "force per velocity on each particle"}, KEY_NUMBER,
      AT(coefficient)},
-    {{"rate", "1/s", NOT_NEGATIVE, 0, "the same per mass; one of the two"}, KEY_NUMBER, AT(rate)},
+    {{"rate", "1/s", NOT_NEGATIVE, 0, "the same per mass; not with `coefficient`"}, KEY_NUMBER, AT(rate)},
 };
 #undef DEF
 static const KeyGroup damping_keys = GROUP(damping_row, DampingDef);
 
 #define DEF CorrectionDef
 static const Key correction_row[] = {
-    {{"structural", "1", NOT_NEGATIVE, 0, "largest strain of these springs; 0: not limited"},
+    {{"structural", "1", NOT_NEGATIVE, 0, "largest strain of structural springs; 0: not limited"},
      KEY_NUMBER, AT(structural)},
-    {{"shear", "1", NOT_NEGATIVE, 0, "and of these"}, KEY_NUMBER, AT(shear)},
-    {{"flexion", "1", NOT_NEGATIVE, 0, "and of these"}, KEY_NUMBER, AT(flexion)},
+    {{"shear", "1", NOT_NEGATIVE, 0, "the same of shear springs"}, KEY_NUMBER, AT(shear)},
+    {{"flexion", "1", NOT_NEGATIVE, 0, "the same of flexion springs"}, KEY_NUMBER, AT(flexion)},
     {{"tarantino", NO_NUMBER, "a spring that was limited exerts no force in the next step"}, KEY_FLAG,
      AT(tarantino)},
     {{"phantom", NO_NUMBER, "positions move and velocities do not"}, KEY_FLAG, AT(phantom)},
@@ -149,9 +149,9 @@ static const KeyGroup correction_keys = GROUP(correction_row, CorrectionDef);
 #define DEF StringDef
 static const Key string_row[] = {
     {{"to", "m", ANY, NAN, "the fixed end"}, KEY_VECTOR, AT(to), .absent = "straight down on the floor"},
-    {{"at", NO_NUMBER, "the particle: nearest (to the fixed end), lowest, highest, or its number"},
-     KEY_TEXT, AT(at), .absent = "nearest, or lowest without `to`", .longest = WORD_LONGEST},
-    {{"stiffness", "N/m", NOT_NEGATIVE, NAN, "of the taut string"}, KEY_NUMBER, AT(stiffness),
+    {{"at", NO_NUMBER, "the particle: `nearest` to the fixed end, `lowest`, `highest`, or its number"},
+     KEY_TEXT, AT(at), .absent = "`nearest`, or `lowest` without `to`", .longest = WORD_LONGEST},
+    {{"stiffness", "N/m", NOT_NEGATIVE, NAN, "stiffness of the taut string"}, KEY_NUMBER, AT(stiffness),
      .required = true},
     {{"slack", "1", POSITIVE, 1, "free length as a ratio of the first length"}, KEY_NUMBER,
      AT(slack)},
@@ -174,7 +174,8 @@ static const Key balloon_row[] = {
      .absent = "the palette's next"},
     {{"skin", NO_NUMBER, "what holds the particles together"}, KEY_MAPPING, AT(skin),
      .group = &skin_keys},
-    {{"mass", NO_NUMBER, "required but for a membrane, which has its rubber's"}, KEY_POINTER, AT(mass),
+    {{"mass", NO_NUMBER, "mass of the particles; required unless the skin is a membrane, which "
+     "has its rubber's"}, KEY_POINTER, AT(mass),
      .group = &mass_keys},
     {{"hold_rim", NO_NUMBER, "the rim of an open mesh does not move"}, KEY_FLAG, AT(hold_rim)},
     {{"inflation", NO_NUMBER, "the pressure inside"}, KEY_POINTER, AT(inflation),
@@ -182,7 +183,7 @@ static const Key balloon_row[] = {
     {{"helium", NO_NUMBER, "lift as the mass-spring paper has it"}, KEY_POINTER, AT(helium),
      .group = &helium_keys},
     {{"damping", NO_NUMBER, "drag of the air"}, KEY_POINTER, AT(damping), .group = &damping_keys},
-    {{"correction", NO_NUMBER, "strain limiting: over-stretched springs are shortened after a step"},
+    {{"correction", NO_NUMBER, "strain limiting of over-stretched springs"},
      KEY_POINTER, AT(correction), .group = &correction_keys},
     {{"strings", NO_NUMBER, "strings to fixed points"}, KEY_LIST, AT(strings),
      COUNT(strings_count), .group = &string_keys},

@@ -1,9 +1,9 @@
 /// A scene file as plain data: YAML, y up, SI units or the mass-spring paper's own.
 ///
-/// The structs below are the scene format: one field, one key, one row of scene_schema.c, and where
-/// not every number makes sense one row of scene_range.c. A scene names only what it needs; what it
-/// does not name is neither computed nor stored, and stands here as a NULL pointer, an empty list
-/// or 0. Where 0 would be a value of its own, the field is a pointer and NULL says "not given".
+/// The structs below are the scene format: one field, one key, one row of keys.c or keys_balloon.c.
+/// A scene names only what it needs; what it does not name is neither computed nor stored, and
+/// stands here as a NULL pointer, an empty list, or the row's default, which is 0 unless said here.
+/// Where 0 would be a value of its own, the field is a pointer and NULL says "not given".
 /// Keys that a scene must have are marked "required"; lists of numbers have exactly the length
 /// given.
 ///
@@ -85,10 +85,10 @@ typedef struct FillDef {
 
 typedef struct InflationDef {
     InflationLaw law; ///< required
-    double amount; ///< area: k_normal; pressure: [Pa] gauge; gas: parts of what fills V0 at ambient
+    double amount; ///< area: k_normal; pressure: [Pa] gauge; gas: parts of what fills V0 at `unit`
     double rate;   ///< amount per second while the key is held; 0: a tenth of the range
     double least;  ///< the keys stop here
-    double most;   ///< and here; 0: ten times the amount, or 100 where that is 0
+    double most;   ///< and here; 0: ten times the amount, or 100 where that is not above 0
     double* ambient;     ///< gas: pressure outside [Pa]; NULL: 101325
     double* unit;        ///< gas: pressure of amount 1 in V0 [Pa]; NULL: ambient's, or
                          ///< 101325 where that is 0
@@ -118,7 +118,7 @@ typedef struct StringDef {
     char* at;         ///< particle: "nearest" to the fixed end, "lowest", "highest", or its number;
                       ///< NULL: nearest, or lowest where `to` is NULL
     double stiffness; ///< [N/m] required
-    double slack;     ///< free length as a ratio of the first length; 0: 1
+    double slack;     ///< free length as a ratio of the first length; default 1
 } StringDef;
 
 /// Thresholds: how far over its rest length a spring may stretch, as a ratio; 0: not corrected.
@@ -133,9 +133,9 @@ typedef struct CorrectionDef {
 typedef struct BalloonDef {
     char* model;      ///< a shape, or an .obj beside the scene or in assets/models; required
     double* position; ///< [3] added to the model's points; NULL: the origin
-    double size;      ///< first the model is centred on the origin and its longest side brought to
+    double size;      ///< first the model is centred on the origin and its longest side scaled to
                       ///< this length; 0: it stays where and as it is
-    double scale;     ///< factor on the model's points; 0: 1
+    double scale;     ///< factor on the model's points; default 1
     double turn;      ///< [degrees] about y, before the position is added
     double* color;    ///< [3] sRGB, 0…1; NULL: the next of the palette
     SkinDef skin;
@@ -231,7 +231,7 @@ typedef struct WorldDef {
     SolverDef solver;
     char* show;     ///< the display mode to begin with; NULL: skin
     double rest;    ///< slower than so many of its sizes a second a balloon rests; 0: never [1/s]
-    double seconds; ///< how long headless runs last if nobody says; 0: 10
+    double seconds; ///< [s] how long headless runs last without --seconds; default 10
     CameraDef* camera;
     AboutDef* about;
     unsigned about_count;

@@ -1,5 +1,6 @@
 #include "scene/validate.h"
 
+#include <math.h>
 #include <string.h>
 
 static bool validate_value(Validator* validator, const Key* key, int node, char* at);
@@ -64,6 +65,17 @@ static const Key* known_key(Validator* validator, const KeyGroup* group, int map
     return NULL;
 }
 
+/// Store the default of each number that has one.
+static void store_defaults(const KeyGroup* group, char* filled) {
+    for (int i = 0; i < group->count; i++) {
+        const Key* key = &group->key[i];
+        if (key->type == KEY_NUMBER && isfinite(key->is.default_value))
+            memcpy(filled + key->offset, &key->is.default_value, sizeof(double));
+        else if (key->type == KEY_MAPPING)
+            store_defaults(key->group, filled + key->offset);
+    }
+}
+
 /// Fill the struct of a group from a mapping.
 static bool validate_group(Validator* validator, const KeyGroup* group, int id, char* filled) {
     const yaml_node_t* node = tree_node(validator->tree, id);
@@ -76,6 +88,7 @@ static bool validate_group(Validator* validator, const KeyGroup* group, int id, 
                           "%s must be keys with values; there are %s", validate_subject(validator),
                           names);
     }
+    store_defaults(group, filled);
     const yaml_node_pair_t* pair = node->data.mapping.pairs.start;
     for (; pair < node->data.mapping.pairs.top; pair++) {
         const Key* key = known_key(validator, group, id, pair);

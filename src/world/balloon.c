@@ -28,7 +28,7 @@ static void set_color(Balloon* balloon, int number) {
 /// Where the def has a size, fit the model to it and center it; then scale it.
 static void place_body(Balloon* balloon) {
     const BalloonDef* def = balloon->def;
-    Placement placement = {.scale = def->scale > 0 ? def->scale : 1, .turn = def->turn};
+    Placement placement = {.scale = def->scale, .turn = def->turn};
     if (def->size > 0) {
         double4 low = {INFINITY, INFINITY, INFINITY, 0}, high = -low;
         for (int i = 0; i < balloon->mesh.point_count; i++)
@@ -92,8 +92,7 @@ static void below(const Body* body, const WorldDef* world, int particle, double 
 static void tie(Body* body, const WorldDef* world, const StringDef* def, int particle) {
     double to[3];
     below(body, world, particle, to);
-    body_tie(body, particle, def->to ? def->to : to, def->stiffness,
-             def->slack > 0 ? def->slack : 1);
+    body_tie(body, particle, def->to ? def->to : to, def->stiffness, def->slack);
 }
 
 static void add_strings(Balloon* balloon, const WorldDef* world) {
@@ -110,7 +109,7 @@ static void add_inflation(Balloon* balloon, const WorldDef* world) {
         return;
     balloon->scene_amount = def->amount;
     balloon->min_amount = def->least;
-    balloon->max_amount = def->most > 0 ? def->most : def->amount > 0 ? 10 * def->amount : 100;
+    balloon->max_amount = def->most != 0 ? def->most : def->amount > 0 ? 10 * def->amount : 100;
     balloon->rate = def->rate > 0 ? def->rate : (balloon->max_amount - balloon->min_amount) / 10;
     balloon->vent = def->vent > 0 ? def->vent : balloon->rate / vent_pressure;
     const Filling* filling =

@@ -140,6 +140,19 @@ static const WorldSetting world_setting_table[] = {
     {"gravity", set_gravity},
 };
 
+void command_reference(FILE* out) {
+    fputs("\n| NAME of `key` | key | effect |\n|---|---|---|\n", out);
+    for (int k = 0; k < command_count; k++)
+        fprintf(out, "| `%s` | %s | %s |\n", command_table[k].name, command_table[k].key,
+                command_table[k].about);
+    fputs("\nKEY of `set`, a number each; without `balloons.N.` it is set of all balloons:\n\n",
+          out);
+    for (size_t k = 0; k < sizeof world_setting_table / sizeof *world_setting_table; k++)
+        fprintf(out, "* `%s`\n", world_setting_table[k].key);
+    for (size_t k = 0; k < sizeof setting_table / sizeof *setting_table; k++)
+        fprintf(out, "* `balloons.N.%s`\n", setting_table[k].key);
+}
+
 /// "gravity", "balloons.2.damping.rate", or "damping.rate" for all balloons.
 static bool set(World* world, const Event* event, Fault* fault) {
     char* end;

@@ -3,6 +3,8 @@
 #ifndef BALLOON_WORLD_COMMAND_H
 #define BALLOON_WORLD_COMMAND_H
 
+#include <stdio.h>
+
 #include "world/world.h"
 
 typedef struct Command {
@@ -19,5 +21,8 @@ extern const int command_count;
 
 /// Row by name, or -1.
 int command_find(const char* name);
+
+/// As Markdown: the names of the keys, and what a `set` may set while a world runs.
+void command_reference(FILE* out);
 
 #endif

@@ -231,3 +231,15 @@ const int output_count = sizeof output_table / sizeof *output_table;
 double output_value(const Output* output, const OutputSubject* subject) {
     return output->of_balloon ? output->of_balloon(subject->balloon) : output->value(subject);
 }
+
+void outputs_reference(FILE* out) {
+    fputs(
+        "\n### Outputs: the columns of `--csv`\n\n"
+        "N is the number of a balloon or ball, K that of a string, from 0. A column is there\n"
+        "where the scene models it: a volume of closed skins, iterations of methods that iterate.\n"
+        "\n| column | unit | meaning |\n|---|---|---|\n",
+        out);
+    for (int k = 0; k < output_count; k++)
+        fprintf(out, "| `%s%s` | %s | %s |\n", output_prefix[output_table[k].kind],
+                output_table[k].column, output_table[k].unit, output_table[k].about);
+}

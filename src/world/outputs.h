@@ -5,6 +5,8 @@
 #ifndef BALLOON_WORLD_OUTPUTS_H
 #define BALLOON_WORLD_OUTPUTS_H
 
+#include <stdio.h>
+
 #include "world/world.h"
 
 /// The subject of a row: the time, each balloon, each string of a balloon, each ball, or all balls
@@ -40,6 +42,9 @@ typedef struct Output {
 
 extern const Output output_table[];
 extern const int output_count;
+
+/// The outputs as a Markdown table, in the order of the CSV's columns.
+void outputs_reference(FILE* out);
 
 double output_value(const Output* output, const OutputSubject* subject);
 

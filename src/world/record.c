@@ -190,6 +190,19 @@ bool record_load(const char* file, Record* record, Fault* fault) {
     return good;
 }
 
+void record_reference(FILE* out) {
+    fprintf(out, "\n### Input log\n\n    %s%d SCENE\n", title, VERSION);
+    for (int k = 0; k < KINDS; k++)
+        fprintf(out, "    %s\n", kind_table[k].form);
+    fputs("\nThe first line is always there; further lines that begin with `#` and empty ones are\n"
+          "skipped. STEP is the number of steps since the session began, which a reset does not\n"
+          "set back; an event happens before that step, and steps never decrease. Keys act on the\n"
+          "selected balloon, or on all. A ball is thrown with its position [m], velocity [m/s],\n"
+          "mass [kg] and radius [m].\n",
+          out);
+    command_reference(out);
+}
+
 void record_title(const char* scene, FILE* log) {
     fprintf(log, "%s%d %s\n", title, VERSION, scene);
 }

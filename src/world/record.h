@@ -40,6 +40,9 @@ typedef struct Record {
 /// that run backwards are faults with line.
 bool record_load(const char* file, Record* record, Fault* fault);
 
+/// The form of a log as Markdown: its lines, the names of its keys, and what it may set.
+void record_reference(FILE* out);
+
 /// Write a log's first line.
 void record_title(const char* scene, FILE* log);
 

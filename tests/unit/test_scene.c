@@ -1,6 +1,10 @@
 /// The scene format: every key loads, names find their files, mutations never crash.
 #include "scenes.h"
 
+#include "scene/key.h"
+#include "solve/method.h"
+#include "view/mode.h"
+
 static void every_key_of_a_world_loads_into_its_field(void** state) {
     (void)state;
     WorldDef def;
@@ -117,7 +121,7 @@ static void every_key_of_inflation_and_strings_loads_into_its_field(void** state
     assert_true(string[0].stiffness == 50 && string[0].slack == 1.2);
     assert_null(string[1].to);
     assert_string_equal(string[1].at, "12");
-    assert_true(string[1].stiffness == 7 && string[1].slack == 0);
+    assert_true(string[1].stiffness == 7 && string[1].slack == 1);
     scene_free(&def);
 }
 
@@ -128,14 +132,14 @@ static void what_a_scene_does_not_name_is_absent(void** state) {
 
     const WorldDef got = def;
     assert_true(!got.title && !got.gravity && !got.floor && !got.method && !got.show);
-    assert_true(!got.camera && !got.about && got.about_count == 0 && got.seconds == 0);
+    assert_true(!got.camera && !got.about && got.about_count == 0 && got.seconds == 10);
     assert_int_equal(got.units, UNITS_SI);
     assert_int_equal(got.guard, GUARD_SPLIT);
     assert_int_equal(got.precision, PRECISION_ANY);
     const BalloonDef* b = got.balloons;
     assert_true(!b->position && !b->color && !b->skin.springs && !b->inflation && !b->helium);
     assert_true(!b->damping && !b->correction && !b->strings && b->strings_count == 0);
-    assert_true(b->size == 0 && b->scale == 0 && b->turn == 0 && !b->hold_rim);
+    assert_true(b->size == 0 && b->scale == 1 && b->turn == 0 && !b->hold_rim);
     scene_free(&def);
 }
 
@@ -313,6 +317,29 @@ static void a_mutated_scene_is_loaded_or_refused_in_one_sentence(void** state) {
     }
 }
 
+static const char* absent(const char* name) {
+    return key_find(&scene_keys, name)->absent;
+}
+
+/// A default that other rooms hold as well is the row's.
+static void defaults_of_rows_are_those_of_the_program(void** state) {
+    (void)state;
+    const Key* inflation = key_find(&balloon_keys, "inflation");
+    assert_true(key_find(inflation->group, "ambient")->is.default_value == standard_pressure);
+    assert_true(key_find(inflation->group, "temperature")->is.default_value ==
+                standard_temperature);
+    char word[80];
+    snprintf(word, sizeof word, "`%s`", method_table[0]->name);
+    assert_string_equal(absent("method"), word);
+    snprintf(word, sizeof word, "`%s`", mode_table[0]->name);
+    assert_string_equal(absent("show"), word);
+
+    const WorldDef si = {.units = UNITS_SI}, paper = {.units = UNITS_PAPER};
+    snprintf(word, sizeof word, "%g, or %g in the paper's units", scene_gravity(&si),
+             scene_gravity(&paper));
+    assert_string_equal(absent("gravity"), word);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_key_of_a_world_loads_into_its_field),
@@ -322,6 +349,7 @@ int main(void) {
         cmocka_unit_test(every_key_of_inflation_and_strings_loads_into_its_field),
         cmocka_unit_test(what_a_scene_does_not_name_is_absent),
         cmocka_unit_test(a_scene_with_lists_in_one_line_and_comments_loads),
+        cmocka_unit_test(defaults_of_rows_are_those_of_the_program),
         cmocka_unit_test(what_an_alias_stands_for_is_copied),
         cmocka_unit_test(a_bare_mesh_is_a_balloon_on_a_string),
         cmocka_unit_test(a_mesh_is_named_by_its_path_and_found_again),

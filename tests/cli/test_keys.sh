@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# The scene reference is what the program prints, and its examples are scenes.
+set -u
+cd "$(dirname "$0")/../.."
+. tests/say.sh
+
+guide=assets/scenes/README.md
+"$balloon" keys >"$scratch/printed"
+sed '1,/^<!-- keys: made by balloon keys -->$/d; /^<!-- end of keys -->$/,$d' "$guide" >"$scratch/kept"
+ok "the reference is what balloon keys prints; make reference writes it" \
+    diff "$scratch/kept" "$scratch/printed"
+ok "both programs print the same" diff "$scratch/printed" <("$double" keys)
+ok "each row of a table has as many columns as its head" awk -F'|' '
+    !/^\|/ {columns = 0; next} !columns {columns = NF} NF != columns {print; bad = 1}
+    END {exit bad}' "$scratch/printed"
+ok "no row is without a sentence" awk '/^\|.*\|  \|$/ {print; bad = 1} END {exit bad}' "$scratch/printed"
+
+awk -v folder="$scratch" '/^```yaml$/ {n++; on = 1; next} /^```$/ {on = 0}
+    on {print > (folder "/scene" n ".yaml")}' "$guide"
+ok "there are two examples" test -s "$scratch/scene2.yaml"
+for scene in "$scratch"/scene*.yaml; do
+    ok "the guide's $(basename "$scene") loads and runs" "$balloon" run "$scene" --seconds 0.1 --quiet
+done
+
+finish
