@@ -11,6 +11,7 @@ typedef struct Parameter {
     const char* unit;     ///< in SI, "N/m"; "1" where it has no dimension
     double min, max;      ///< range; -INFINITY and INFINITY: no end
     bool min_open;        ///< greater than `min`, not equal to it
+    bool max_open;        ///< less than `max`, not equal to it
     double default_value; ///< of a scene that does not give it
     const char* about;    ///< one sentence
 } Parameter;

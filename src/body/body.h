@@ -12,18 +12,6 @@
 #include "body/torsion.h"
 #include "mesh/mesh.h"
 
-/// Helium is an upward acceleration base + per_inflation * amount [m/s^2], times each mass.
-typedef struct Helium {
-    double base;
-    double per_inflation;
-} Helium;
-
-/// A force -(coefficient + rate m) v on each particle; a scene names one of the two.
-typedef struct Damping {
-    double coefficient; ///< c [kg/s]
-    double rate;        ///< [1/s]
-} Damping;
-
 /// From a particle to a fixed point. No force up to its free length, then stiffness times what
 /// exceeds it.
 typedef struct String {
@@ -33,6 +21,9 @@ typedef struct String {
     real free_length; ///< [m]
     real4 impulse;    ///< h^2 times its pull in the last step, of a method that finds it [kg m]
 } String;
+
+/// Capacity for the parameters of forces.
+enum { FORCES_MAX = 16, FORCE_PARAMETERS_MAX = 4 };
 
 typedef struct Body {
     const Mesh* mesh;
@@ -53,8 +44,8 @@ typedef struct Body {
     Torsion torsion;
     Membrane membrane;
     Inflation inflation;
-    Helium helium;
-    Damping damping;
+    double force_parameter[FORCES_MAX][FORCE_PARAMETERS_MAX]; ///< by row of the table of forces and
+        ///< in the row's order (force/force.h)
     String* string; ///< [string_capacity] the first string_count are tied
     int string_count;
     int string_capacity;
@@ -108,16 +99,6 @@ void body_drift(Body* body, double h);
 static inline void body_wake(Body* body) {
     body->asleep = false;
     body->still = 0;
-}
-
-/// Damping force per velocity on a particle [kg/s].
-static inline double body_drag(const Body* body, int particle) {
-    return body->damping.coefficient + body->damping.rate * (double)body->mass[particle];
-}
-
-/// Upward acceleration of helium at the present amount [m/s^2].
-static inline double body_helium(const Body* body) {
-    return body->helium.base + body->helium.per_inflation * body->inflation.amount;
 }
 
 void body_free(Body* body);

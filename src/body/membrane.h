@@ -30,13 +30,15 @@ typedef enum VolumeRule {
 } VolumeRule;
 extern const char* const volume_rule_name[VOLUME_RULES];
 
-/// What a scene gives of a skin of rubber.
+/// Capacity for a material's own parameters.
+enum { MATERIAL_PARAMETERS_MAX = 4 };
+
+/// What a scene says of a skin's rubber.
 typedef struct Rubber {
     const Material* material;
-    double young;   ///< E [Pa]
-    double poisson; ///< nu [1]
-    double mooney;  ///< C2/C1 [1], of Mooney-Rivlin only
-    double density; ///< rho [kg/m^3]
+    double young;                              ///< E [Pa]
+    double density;                            ///< rho [kg/m^3]
+    double parameter[MATERIAL_PARAMETERS_MAX]; ///< the material's own, in its row's order
     VolumeRule rule;
 } Rubber;
 
@@ -44,7 +46,7 @@ enum { MEMBRANE_PARTS_MOST = 64 };
 
 typedef struct Membrane {
     Rubber rubber;
-    double constant[2]; ///< the material's, from E, nu and C2/C1 [Pa]
+    double constant[2]; ///< the material's, from E and its parameters [Pa]
     int count;          ///< elements
     int (*corner)[3];   ///< [count] particles, counter-clockwise seen from outside
     real4* rest;        ///< [count] [E1 E2]^-1 = (r0 r1; 0 r2) in the element's plane [1/m], and in

@@ -1,18 +1,29 @@
-/// Drag of the air: f_i = -(c + rate m_i) v_i. It takes energy out and has none of its own.
-#include "force/force.h"
+/// Drag takes energy out and has none of its own.
+#include "force/damping.h"
+
+#include <math.h>
+
+static const Parameter parameters[] = {
+    [DAMPING_COEFFICIENT] = {"coefficient", "kg/s", 0, INFINITY,
+                             .about = "drag per velocity of each particle"},
+    [DAMPING_RATE] = {"rate", "1/s", 0, INFINITY, .about = "drag per velocity and mass"},
+};
 
 static bool present(const Body* body) {
-    return body->damping.coefficient != 0 || body->damping.rate != 0;
+    const double* parameter = body->force_parameter[FORCE_DAMPING];
+    return parameter[DAMPING_COEFFICIENT] != 0 || parameter[DAMPING_RATE] != 0;
 }
 
 static void uniform(const Body* body, Uniform* sum) {
-    sum->drag += body->damping.coefficient;
-    sum->rate += body->damping.rate;
+    sum->drag += body->force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT];
+    sum->rate += body->force_parameter[FORCE_DAMPING][DAMPING_RATE];
 }
 
 const Force force_damping = {
     .name = "damping",
     .about = "drag, -(coefficient + rate m) v",
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof *parameters,
     .present = present,
     .uniform = uniform,
     .external = true,

@@ -1,16 +1,21 @@
 #include "force/force.h"
 
+#include <assert.h>
 #include <string.h>
 
 #include "base/crew.h"
 #include "force/kernel.h"
 #include "force/sweep.h"
 
-const Force* const force_table[] = {
-    &force_gravity,   &force_helium, &force_springs, &force_torsion, &force_membrane,
-    &force_inflation, &force_lift,   &force_strings, &force_damping,
+const Force* const force_table[FORCES] = {
+    [FORCE_GRAVITY] = &force_gravity,   [FORCE_HELIUM] = &force_helium,
+    [FORCE_SPRINGS] = &force_springs,   [FORCE_TORSION] = &force_torsion,
+    [FORCE_MEMBRANE] = &force_membrane, [FORCE_INFLATION] = &force_inflation,
+    [FORCE_LIFT] = &force_lift,         [FORCE_STRINGS] = &force_strings,
+    [FORCE_DAMPING] = &force_damping,
 };
-const int force_count = sizeof force_table / sizeof *force_table;
+const int force_count = FORCES;
+static_assert((int)FORCES <= (int)FORCES_MAX, "Body.force_parameter has a row for each force");
 
 /// What the parts of a pass over the particles are given.
 typedef struct Pass {
@@ -39,7 +44,7 @@ static void take(Body* body, SweepSums sums) {
 }
 
 void force_push(Body* body, double h) {
-    bool here[sizeof force_table / sizeof *force_table];
+    bool here[FORCES];
     unsigned wanted = 0;
     for (int k = 0; k < force_count; k++) {
         here[k] = force_table[k]->present(body);

@@ -5,6 +5,7 @@
 #ifndef BALLOON_FORCE_FORCE_H
 #define BALLOON_FORCE_FORCE_H
 
+#include "base/parameter.h"
 #include "body/body.h"
 #include "force/block_matrix.h"
 #include "force/uniform.h"
@@ -19,6 +20,10 @@ typedef struct Stencils {
 typedef struct Force {
     const char* name;
     const char* about; ///< one line with the equation, for `balloon list` and the README
+
+    /// Numbers that a scene gives; their values are in body->force_parameter of the row.
+    const Parameter* parameters;
+    int parameter_count; ///< FORCE_PARAMETERS_MAX at most
 
     /// Whether this body has this force now.
     bool (*present)(const Body* body);
@@ -71,8 +76,20 @@ typedef struct Force {
 extern const Force force_gravity, force_helium, force_springs, force_torsion, force_membrane,
     force_inflation, force_lift, force_strings, force_damping;
 
-/// In the order in which they are added.
-extern const Force* const force_table[];
+/// Rows, in the order in which they are added.
+typedef enum ForceRow {
+    FORCE_GRAVITY,
+    FORCE_HELIUM,
+    FORCE_SPRINGS,
+    FORCE_TORSION,
+    FORCE_MEMBRANE,
+    FORCE_INFLATION,
+    FORCE_LIFT,
+    FORCE_STRINGS,
+    FORCE_DAMPING,
+    FORCES
+} ForceRow;
+extern const Force* const force_table[FORCES];
 extern const int force_count;
 
 /// body->f = the sum of all present forces. [N]

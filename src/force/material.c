@@ -1,5 +1,7 @@
 #include "force/material.h"
 
+#include <string.h>
+
 #include "base/cpu.h"
 #include "base/table.h"
 
@@ -18,6 +20,18 @@ const Material* material_find(const char* name) {
 const char* material_names(void) {
     static char names[256];
     return table_names(material_table, material_count, names, sizeof names);
+}
+
+const Parameter* material_parameter(const Material* material, const char* name) {
+    for (int k = 0; k < material->parameter_count; k++)
+        if (strcmp(material->parameters[k].name, name) == 0)
+            return &material->parameters[k];
+    return NULL;
+}
+
+double rubber_parameter(const Rubber* rubber, const char* name, double otherwise) {
+    const Parameter* parameter = material_parameter(rubber->material, name);
+    return parameter ? rubber->parameter[parameter - rubber->material->parameters] : otherwise;
 }
 
 const ElementLoops* material_loops(const Material* material) {

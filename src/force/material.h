@@ -40,11 +40,13 @@ struct Material {
     const char* name;
     const char* about;
     bool incompressible;  ///< Poisson's ratio is 1/2 by law
-    double poisson_most;  ///< largest Poisson's ratio that the law takes
-    bool poisson_open;    ///< not even the largest itself
-    bool reads_thickness; ///< it reads the thickness that volume preservation keeps
+    bool reads_thickness; ///< it reads the thickness that the volume constraint keeps
 
-    /// The law's constants from E, nu and C2/C1. [Pa]
+    /// Numbers that a scene gives beside E and the density; their values are in Rubber.parameter.
+    const Parameter* parameters;
+    int parameter_count; ///< MATERIAL_PARAMETERS_MAX at most
+
+    /// The law's constants from E and its parameters. [Pa]
     void (*constants)(const Rubber* rubber, double constant[2]);
 
     /// Energy per rest volume, t = h/h0 where the law reads it. [J/m^3]
@@ -67,6 +69,12 @@ void material_add(Body* body, const double* thickness, const Rubber* rubber);
 
 /// Row by name, or NULL.
 const Material* material_find(const char* name);
+
+/// The material's parameter of this name, or NULL.
+const Parameter* material_parameter(const Material* material, const char* name);
+
+/// The rubber's value of it, `otherwise` where its material has none of this name.
+double rubber_parameter(const Rubber* rubber, const char* name, double otherwise);
 
 /// Names of all, "neo-hookean, …", for sentences.
 const char* material_names(void);

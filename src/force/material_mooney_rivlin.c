@@ -22,16 +22,22 @@ static double energy(const double k[2], double t, double I, double D) {
     return k[0] * (I + 1 / D - 3) + k[1] * (D + I / D - 3);
 }
 
+static const Parameter parameters[] = {
+    {"mooney", "1", 0, INFINITY, .about = "C2/C1"},
+};
+
 static void constants(const Rubber* rubber, double k[2]) {
-    k[0] = rubber->young / (6 * (1 + rubber->mooney));
-    k[1] = rubber->mooney * k[0];
+    const double ratio = rubber->parameter[0];
+    k[0] = rubber->young / (6 * (1 + ratio));
+    k[1] = ratio * k[0];
 }
 
 const Material material_mooney_rivlin = {
     .name = "mooney-rivlin",
     .about = "W = C1 (I + 1/D - 3) + C2 (D + I/D - 3), incompressible rubber",
     .incompressible = true,
-    .poisson_most = 0.5,
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof *parameters,
     .constants = constants,
     .energy = energy,
     .loops = {add_elements, assemble_elements, bound_elements},

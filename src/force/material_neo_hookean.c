@@ -30,7 +30,6 @@ const Material material_neo_hookean = {
     .name = "neo-hookean",
     .about = "W = mu/2 (I + 1/D - 3), incompressible rubber",
     .incompressible = true,
-    .poisson_most = 0.5,
     .constants = constants,
     .energy = energy,
     .loops = {add_elements, assemble_elements, bound_elements},

@@ -21,8 +21,12 @@ static double energy(const double k[2], double t, double I, double D) {
     return k[0] * square + k[1] / 2 * trace * trace;
 }
 
+static const Parameter parameters[] = {
+    {"poisson", "1", -1, 0.5, .min_open = true, .default_value = 0.5, .about = "Poisson's ratio"},
+};
+
 static void constants(const Rubber* rubber, double k[2]) {
-    const double nu = rubber->poisson;
+    const double nu = rubber->parameter[0];
     k[0] = rubber->young / (2 * (1 + nu));
     k[1] = rubber->young * nu / (1 - nu * nu);
 }
@@ -30,7 +34,8 @@ static void constants(const Rubber* rubber, double k[2]) {
 const Material material_stvk = {
     .name = "stvk",
     .about = "St. Venant-Kirchhoff in plane stress",
-    .poisson_most = 0.5,
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof *parameters,
     .constants = constants,
     .energy = energy,
     .loops = {add_elements, assemble_elements, bound_elements},

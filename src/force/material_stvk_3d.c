@@ -23,8 +23,14 @@ static double energy(const double k[2], double t, double I, double D) {
     return k[0] * square + k[1] / 2 * trace * trace;
 }
 
+/// The default is the paper's.
+static const Parameter parameters[] = {
+    {"poisson", "1", -1, 0.5, .min_open = true, .max_open = true, .default_value = 0.45,
+     .about = "Poisson's ratio"},
+};
+
 static void constants(const Rubber* rubber, double k[2]) {
-    const double nu = rubber->poisson;
+    const double nu = rubber->parameter[0];
     k[0] = rubber->young / (2 * (1 + nu));
     k[1] = rubber->young * nu / ((1 + nu) * (1 - 2 * nu));
 }
@@ -32,9 +38,9 @@ static void constants(const Rubber* rubber, double k[2]) {
 const Material material_stvk_3d = {
     .name = "stvk-3d",
     .about = "St. Venant-Kirchhoff with the thickness as a parameter, the thin-shell paper's",
-    .poisson_most = 0.5,
-    .poisson_open = true,
     .reads_thickness = true,
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof *parameters,
     .constants = constants,
     .energy = energy,
     .loops = {add_elements, assemble_elements, bound_elements},

@@ -50,20 +50,22 @@ static bool poisson_too_large(const WorldDef* world, const BalloonDef* balloon) 
     (void)world;
     const Material* material = material_of(balloon);
     const double* poisson = material ? balloon->skin.membrane->poisson : NULL;
-    return poisson && material->poisson_open && *poisson >= material->poisson_most;
+    const Parameter* row = material ? material_parameter(material, "poisson") : NULL;
+    return poisson && row && row->max_open && *poisson >= row->max;
 }
 
 static bool poisson_of_incompressible(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
     const Material* material = material_of(balloon);
     const double* poisson = material ? balloon->skin.membrane->poisson : NULL;
-    return poisson && material->incompressible && *poisson != material->poisson_most;
+    return poisson && material->incompressible && *poisson != 0.5;
 }
 
 static bool mooney_of_another(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
     const Material* material = material_of(balloon);
-    return material && balloon->skin.membrane->mooney != 0 && material != &material_mooney_rivlin;
+    return material && balloon->skin.membrane->mooney != 0 &&
+           !material_parameter(material, "mooney");
 }
 
 static bool tied_without_skin(const WorldDef* world, const BalloonDef* balloon) {

@@ -1,9 +1,11 @@
 #include "solve/factor.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <suitesparse/cholmod.h>
 
 #include "base/memory.h"
+#include "force/damping.h"
 
 enum { RUNGS = 16 }; ///< steps below h1 / 181 use the last: their A is nearly M
 
@@ -17,7 +19,7 @@ struct Factor {
     cholmod_factor* rung[RUNGS]; ///< rung k: for the step h1 2^(-k/2)
     cholmod_factor* selected;    ///< one of the rungs
     double longest;              ///< h1 [s]
-    Damping damping;             ///< of all rungs
+    double damping[FORCE_PARAMETERS_MAX]; ///< the force's parameters, of all rungs
     int string_count;            ///< of all rungs
     cholmod_dense* right;
     cholmod_dense* solution;
@@ -54,7 +56,7 @@ static cholmod_sparse* matrix_of(cholmod_common* common, const Body* body, doubl
         return NULL;
     for (int i = 0; i < body->count; i++)
         add_entry(list, i, i,
-                  body->inverse_mass[i] > 0 ? (double)body->mass[i] + h * body_drag(body, i) : 1);
+                  body->inverse_mass[i] > 0 ? (double)body->mass[i] + h * damping_drag(body, i) : 1);
     for (int s = 0; s < springs->count; s++) {
         const int* end = springs->end[s];
         const double k = h * h * (double)springs->stiffness[s];
@@ -94,15 +96,18 @@ static cholmod_factor* factorize(Factor* factor, const Body* body, double h) {
 
 /// Whether the existing rungs serve this body and step.
 static bool is_current(const Factor* factor, const Body* body, double h) {
-    return h <= factor->longest && factor->damping.coefficient == body->damping.coefficient &&
-           factor->damping.rate == body->damping.rate && factor->string_count == body->string_count;
+    const double* damping = body->force_parameter[FORCE_DAMPING];
+    return h <= factor->longest &&
+           factor->damping[DAMPING_COEFFICIENT] == damping[DAMPING_COEFFICIENT] &&
+           factor->damping[DAMPING_RATE] == damping[DAMPING_RATE] &&
+           factor->string_count == body->string_count;
 }
 
 static void reset_rungs(Factor* factor, const Body* body, double h) {
     for (int k = 0; k < RUNGS; k++)
         cholmod_free_factor(&factor->rung[k], &factor->common);
     factor->longest = fmax(h, factor->longest);
-    factor->damping = body->damping;
+    memcpy(factor->damping, body->force_parameter[FORCE_DAMPING], sizeof factor->damping);
     factor->string_count = body->string_count;
 }
 

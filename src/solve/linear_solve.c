@@ -49,7 +49,7 @@ static double update(LinearSolve* linear, Body* body, double h, bool project) {
         for (int c = 0; c < 3; c++) {
             const double force = (double)(block->column[c][c] * distance) / h;
             noise += (double)body->inverse_mass[i] * force * force;
-            block->column[c][c] += body->mass[i] + (real)(h * body_drag(body, i));
+            block->column[c][c] += body->mass[i] + (real)(h * damping_drag(body, i));
         }
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i]));
     }

@@ -4,8 +4,7 @@
 
 #include "base/fault.h"
 #include "base/table.h"
-
-enum { FORCES_MAX = 32 };
+#include "force/damping.h"
 
 const char* const step_start_name[STEP_STARTS] = {"inertia", "rest"};
 
@@ -49,14 +48,16 @@ double method_limit(const Method* method, double w2, double gamma) {
 
 /// Damping rates c/m over the particles that move [1/s].
 static void damping_rates(const Body* body, double* min, double* max) {
+    const double coefficient = body->force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT];
+    const double rate = body->force_parameter[FORCE_DAMPING][DAMPING_RATE];
     real light = 0, heavy = (real)INFINITY; // the largest and the smallest 1/m
-    for (int i = 0; body->damping.coefficient != 0 && i < body->count; i++) {
+    for (int i = 0; coefficient != 0 && i < body->count; i++) {
         const real w = body->inverse_mass[i];
         light = w > light ? w : light;
         heavy = w > 0 && w < heavy ? w : heavy;
     }
-    *max = body->damping.coefficient * (double)light + body->damping.rate;
-    *min = light > 0 ? body->damping.coefficient * (double)heavy + body->damping.rate : *max;
+    *max = coefficient * (double)light + rate;
+    *min = light > 0 ? coefficient * (double)heavy + rate : *max;
 }
 
 double method_bound(const Method* method, const Body* body) {

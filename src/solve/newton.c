@@ -14,6 +14,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "force/damping.h"
 #include "solve/linear_solve.h"
 #include "solve/method.h"
 
@@ -105,7 +106,7 @@ static double potential(const Body* body, const Workspace* workspace, double h) 
     double sum = 0;
     for (int i = 0; i < body->count; i++) {
         const double4 v = to_double4(body->v[i]), dv = v - to_double4(workspace->v_start[i]);
-        sum += (double)body->mass[i] * ddot(dv, dv) + h * body_drag(body, i) * ddot(v, v);
+        sum += (double)body->mass[i] * ddot(dv, dv) + h * damping_drag(body, i) * ddot(v, v);
     }
     sum /= 2;
     for (int k = 0; k < force_count; k++)

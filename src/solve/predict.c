@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "force/damping.h"
 #include "force/force.h"
 #include "mesh/measure.h"
 
@@ -54,7 +55,7 @@ static void move_ahead(Predict* predict, const Body* body) {
 
 void predict_begin(Predict* predict, Body* body, double h) {
     for (int i = 0; i < body->count; i++) {
-        const real mass = body->mass[i] + (real)(h * body_drag(body, i));
+        const real mass = body->mass[i] + (real)(h * damping_drag(body, i));
         predict->weight[i] = body->inverse_mass[i] > 0 ? 1 / mass : 0;
         predict->u[i] = ((real)h * predict->weight[i] * body->mass[i]) * body->v[i];
     }

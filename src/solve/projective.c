@@ -17,6 +17,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "force/damping.h"
 #include "solve/factor.h"
 #include "solve/method.h"
 #include "solve/predict.h"
@@ -100,7 +101,7 @@ static void add_pulls(const Body* body, double h2, const double4* restrict u,
 /// Compute r without the gas; returns |r|_w of r with the gas at this pressure.
 static double compute_residual(const Body* body, Workspace* workspace, double h, double pressure) {
     for (int i = 0; i < body->count; i++)
-        workspace->residual[i] = ((double)body->mass[i] + h * body_drag(body, i)) *
+        workspace->residual[i] = ((double)body->mass[i] + h * damping_drag(body, i)) *
                                  (workspace->start[i] - workspace->u[i]);
     add_pulls(body, h * h, workspace->u, workspace->residual);
 

@@ -1,4 +1,6 @@
 #include "view/mode.h"
+
+#include "force/helium.h"
 #include "view/skin_pen.h"
 
 // Figure 26 of the mass-spring paper: the net force on each particle.
@@ -16,7 +18,7 @@ static double force_scale(const Body* body) {
     double sum = 0;
     for (int i = 0; i < body->count; i++)
         sum += (double)length(body->f[i]);
-    const double lift = fabs(body_helium(body)), weight = body->gravity;
+    const double lift = fabs(helium_acceleration(body)), weight = body->gravity;
     return fmax(sum / body->count, MIN_WEIGHT_SHARE * (double)body->mass[0] * fmax(lift, weight));
 }
 

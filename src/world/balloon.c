@@ -5,12 +5,13 @@
 
 #include "base/memory.h"
 #include "base/table.h"
+#include "force/damping.h"
+#include "force/helium.h"
 #include "force/inflation.h"
 #include "force/material.h"
 #include "mesh/load.h"
 
 static const double vent_pressure = 1000; ///< [Pa] gauge pressure at which a valve vents at `rate`
-static const double paper_poisson = 0.45; ///< [1] the thin-shell paper's
 static const double default_threshold = 0.1; ///< [1] the mass-spring paper's
 
 /// Colors of balloons whose scene names none: easy to tell apart, also with most color blindness.
@@ -148,16 +149,19 @@ static void compute_thickness(const Body* body, const MembraneDef* def, double* 
 
 static void add_membrane(Body* body, const MembraneDef* def) {
     const Material* material = material_find(def->material);
-    const Rubber rubber = {
+    Rubber rubber = {
         .material = material,
         .young = def->young,
-        .poisson = def->poisson             ? *def->poisson
-                   : material->poisson_open ? paper_poisson
-                                            : material->poisson_most,
-        .mooney = def->mooney,
         .density = def->density,
         .rule = def->volume,
     };
+    for (int k = 0; k < material->parameter_count; k++) {
+        const Parameter* parameter = &material->parameters[k];
+        const double* value = strcmp(parameter->name, "poisson") == 0  ? def->poisson
+                              : strcmp(parameter->name, "mooney") == 0 ? &def->mooney
+                                                                       : NULL;
+        rubber.parameter[k] = value ? *value : parameter->default_value;
+    }
     double* thickness = new_array(double, body->count);
     compute_thickness(body, def, thickness);
     material_add(body, thickness, &rubber);
@@ -200,10 +204,14 @@ static void make(Balloon* balloon, const WorldDef* world) {
     if (def->skin.membrane)
         add_membrane(body, def->skin.membrane);
     add_inflation(balloon, world);
-    if (def->helium)
-        body->helium = (Helium){def->helium->base, def->helium->per_inflation};
-    if (def->damping)
-        body->damping = (Damping){def->damping->coefficient, def->damping->rate};
+    if (def->helium) {
+        body->force_parameter[FORCE_HELIUM][HELIUM_BASE] = def->helium->base;
+        body->force_parameter[FORCE_HELIUM][HELIUM_PER_INFLATION] = def->helium->per_inflation;
+    }
+    if (def->damping) {
+        body->force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = def->damping->coefficient;
+        body->force_parameter[FORCE_DAMPING][DAMPING_RATE] = def->damping->rate;
+    }
     add_strings(balloon, world);
     set_strain_limit(balloon);
     volume_constraint_open(&balloon->volume_constraint, body);

@@ -1,5 +1,6 @@
 #include "world/command.h"
 
+#include "force/force.h"
 #include "world/rest.h"
 
 #include <stdlib.h>
@@ -90,39 +91,37 @@ static bool press(World* world, const Event* event, Fault* fault) {
     return true;
 }
 
-/// A number of a balloon that a log may set while a world runs.
+/// A number of a balloon that a log may set while a world runs: a parameter of a force, or the
+/// amount that the scene gives.
 typedef struct Setting {
-    const char* key;
-    double* (*of)(Balloon* balloon);
+    int force; ///< row, NONE: inflation.amount
+    int parameter;
 } Setting;
 
-static double* amount_of(Balloon* balloon) {
+/// False where no balloon has such a number. key: "FORCE.PARAMETER" or "inflation.amount"
+static bool setting_find(const char* key, Setting* setting) {
+    *setting = (Setting){NONE, 0};
+    if (strcmp(key, "inflation.amount") == 0)
+        return true;
+    for (int k = 0; k < force_count; k++)
+        for (int p = 0; p < force_table[k]->parameter_count; p++) {
+            char name[64];
+            snprintf(name, sizeof name, "%s.%s", force_table[k]->name,
+                     force_table[k]->parameters[p].name);
+            if (strcmp(name, key) == 0) {
+                *setting = (Setting){k, p};
+                return true;
+            }
+        }
+    return false;
+}
+
+/// NULL where this balloon has none.
+static double* setting_of(Balloon* balloon, Setting setting) {
+    if (setting.force != NONE)
+        return &balloon->body.force_parameter[setting.force][setting.parameter];
     return balloon->def->inflation ? &balloon->scene_amount : NULL;
 }
-
-static double* base_of(Balloon* balloon) {
-    return &balloon->body.helium.base;
-}
-
-static double* per_inflation_of(Balloon* balloon) {
-    return &balloon->body.helium.per_inflation;
-}
-
-static double* coefficient_of(Balloon* balloon) {
-    return &balloon->body.damping.coefficient;
-}
-
-static double* rate_of(Balloon* balloon) {
-    return &balloon->body.damping.rate;
-}
-
-static const Setting setting_table[] = {
-    {"inflation.amount", amount_of},
-    {"helium.base", base_of},
-    {"helium.per_inflation", per_inflation_of},
-    {"damping.coefficient", coefficient_of},
-    {"damping.rate", rate_of},
-};
 
 /// A number of the world that a log may set.
 typedef struct WorldSetting {
@@ -149,8 +148,11 @@ void command_reference(FILE* out) {
           out);
     for (size_t k = 0; k < sizeof world_setting_table / sizeof *world_setting_table; k++)
         fprintf(out, "* `%s`\n", world_setting_table[k].key);
-    for (size_t k = 0; k < sizeof setting_table / sizeof *setting_table; k++)
-        fprintf(out, "* `balloons.N.%s`\n", setting_table[k].key);
+    fputs("* `balloons.N.inflation.amount`\n", out);
+    for (int k = 0; k < force_count; k++)
+        for (int p = 0; p < force_table[k]->parameter_count; p++)
+            fprintf(out, "* `balloons.N.%s.%s`\n", force_table[k]->name,
+                    force_table[k]->parameters[p].name);
 }
 
 /// "gravity", "balloons.2.damping.rate", or "damping.rate" for all balloons.
@@ -174,19 +176,17 @@ static bool set(World* world, const Event* event, Fault* fault) {
                              world->balloon_count - 1);
         to = from + 1;
     }
-    for (size_t k = 0; k < sizeof setting_table / sizeof *setting_table; k++) {
-        if (strcmp(setting_table[k].key, event->name + used) != 0)
-            continue;
-        for (int b = from; b < to; b++) {
-            double* number = setting_table[k].of(&world->balloon[b]);
-            if (!number)
-                return fault_set(fault, event->name, "balloon %d has none", b);
-            *number = value;
-        }
-        world->guard.changed = true;
-        return true;
+    Setting setting;
+    if (!setting_find(event->name + used, &setting))
+        return fault_set(fault, event->name, "cannot be set while a scene runs");
+    for (int b = from; b < to; b++) {
+        double* number = setting_of(&world->balloon[b], setting);
+        if (!number)
+            return fault_set(fault, event->name, "balloon %d has none", b);
+        *number = value;
     }
-    return fault_set(fault, event->name, "cannot be set while a scene runs");
+    world->guard.changed = true;
+    return true;
 }
 
 static const double thrown_restitution = 0.5; ///< [1] of balls that the user throws

@@ -1,6 +1,7 @@
 #include "world/outputs.h"
 
 #include "force/force.h"
+#include "force/helium.h"
 #include "force/inflation.h"
 #include "force/strings.h"
 #include "mesh/measure.h"
@@ -74,7 +75,7 @@ static double area(const Balloon* balloon) {
 
 static double lift(const Balloon* balloon) {
     const Body* body = &balloon->body;
-    const double helium = mass(body) * body_helium(body);
+    const double helium = mass(body) * helium_acceleration(body);
     if (!body->inflation.weighs)
         return helium;
     return helium + body->gravity * (air_density * measure_volume(body->mesh, body->x) -

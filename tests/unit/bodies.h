@@ -2,6 +2,8 @@
 #ifndef BALLOON_TESTS_BODIES_H
 #define BALLOON_TESTS_BODIES_H
 
+#include <string.h>
+
 #include "base/memory.h"
 #include "base/random.h"
 #include "body/body.h"
@@ -34,12 +36,10 @@ static inline void rubber_on(Body* body, const Material* material, double thickn
     double* h = new_array(double, body->count);
     for (int i = 0; i < body->count; i++)
         h[i] = thickness;
-    material_add(body, h,
-                 &(Rubber){.material = material,
-                           .young = young,
-                           .poisson = material->incompressible ? 0.5 : 0.4,
-                           .mooney = 0.2,
-                           .density = density});
+    Rubber rubber = {.material = material, .young = young, .density = density};
+    for (int k = 0; k < material->parameter_count; k++)
+        rubber.parameter[k] = strcmp(material->parameters[k].name, "poisson") == 0 ? 0.4 : 0.2;
+    material_add(body, h, &rubber);
     free(h);
 }
 

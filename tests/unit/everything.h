@@ -26,8 +26,9 @@ static inline void everything(const Mesh* mesh, Body* body, SpringLaw spring_law
                                     .adiabatic = material->incompressible,
                                     .weighs = law == INFLATE_GAS,
                                     .filling = filling_table[1]});
-    body->helium = (Helium){20, 5};
-    body->damping = (Damping){0.02, 1};
+    for (int k = 0; k < force_count; k++)
+        for (int p = 0; p < force_table[k]->parameter_count; p++)
+            body->force_parameter[k][p] = 1;
     body_tie(body, 3, (double[]){0.1, -3, 0.2}, 50, 0.9);
     body_tie(body, 5, (double[]){0, 4, 0}, 50, 1.2); // slack
     shake(body, 0.05);

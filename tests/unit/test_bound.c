@@ -1,5 +1,6 @@
 /// The stability bound that the program computes, and where the explicit methods truly fail.
 #include "bodies.h"
+#include "force/damping.h"
 #include "force/force.h"
 #include "solve/method.h"
 
@@ -16,7 +17,7 @@ static bool explodes(const Method* method, const Mesh* mesh, double drag, double
     Body body;
     body_of(mesh, &body);
     body_add_springs(&body, paper_springs, LAW_HOOKE);
-    body.damping.coefficient = drag;
+    body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = drag;
     shake(&body, TOLERANCE(1e-4, 1e-6)); // float's positions round to 6e-8
     const double first = energy(&body);
     bool grown = false;
@@ -94,7 +95,7 @@ static void bound_is_below_the_limit_and_not_far(void** state) {
         Body body;
         body_of(&mesh, &body);
         body_add_springs(&body, paper_springs, LAW_HOOKE);
-        body.damping.coefficient = table[r].drag;
+        body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = table[r].drag;
         const double bound = method_bound(table[r].method, &body);
         assert_true(bound <= table[r].limit * (1 + 1e-6)); // free motion's is known exactly
         assert_less(0.3 * table[r].limit, bound);          // `forward` swinging: as 1/w^2

@@ -1,6 +1,7 @@
 /// Provot's and Tarantino's corrections.
 #include "bodies.h"
 #include "constraint/strain_limit.h"
+#include "force/damping.h"
 #include "force/force.h"
 #include "solve/method.h"
 
@@ -125,7 +126,7 @@ static double blown_stretch(bool on) {
     body_of(&mesh, &body);
     body_add_springs(&body, paper_springs, LAW_HOOKE);
     body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 20});
-    body.damping.coefficient = 0.05;
+    body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.05;
     strain_limit_switch(&correct, &body, on);
     for (int n = 0; n < 3000; n++) {
         method_euler.kick_body(&body, NULL, 1e-3, &(SolveStats){0});

@@ -1,6 +1,7 @@
 /// Threads: every task once, and the same bits for any number of them.
 #include "base/crew.h"
 #include "bodies.h"
+#include "force/damping.h"
 #include "force/force.h"
 #include "worlds.h"
 
@@ -71,7 +72,7 @@ static void run_body(const Mesh* mesh, Body* body) {
                                     .ambient = 10,
                                     .temperature = 1,
                                     .filling = filling_table[0]});
-    body->damping.coefficient = 0.02;
+    body->force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.02;
     shake(body, 0.005);
     steps_of(&method_euler, body, &(Solver){0}, 1e-4, 5);
 }

@@ -1,5 +1,7 @@
 /// Semi-implicit Euler: closed forms, order, what it keeps.
 #include "bodies.h"
+#include "force/damping.h"
+#include "force/helium.h"
 #include "force/force.h"
 #include "mesh/measure.h"
 #include "solve/method.h"
@@ -37,10 +39,11 @@ static void helium_rises_to_its_terminal_speed(void** state) {
         mesh_of(names[k], &mesh);
         body_of(&mesh, &body);
         body.gravity = 9.8;
-        body.helium = (Helium){20, 5};
+        body.force_parameter[FORCE_HELIUM][HELIUM_BASE] = 20;
+        body.force_parameter[FORCE_HELIUM][HELIUM_PER_INFLATION] = 5;
         body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 2});
         body.inflation.law = INFLATE_NONE; // the amount alone, no push
-        body.damping.coefficient = 0.2;
+        body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.2;
         const double h = 1e-3, terminal = paper_mass * (30 - 9.8) / 0.2;
         for (int n = 1; n <= 30; n++) {
             step(&body, h, 1);
@@ -56,7 +59,7 @@ static double damped_spring(double h) {
     Body body;
     chain_of(&body, (double[]){0, 1}, 2, 1e-3, 50);
     body.inverse_mass[0] = 0;
-    body.damping.coefficient = 0.02;
+    body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.02;
     body.x[1][0] += (real)0.01;
     step(&body, h, (int)lround(0.05 / h));
     const double u = (double)body.x[1][0] - 1;
@@ -110,7 +113,7 @@ static void exact_cube_of(Mesh* mesh, Body* body) {
     body_of(mesh, body);
     body_add_springs(body, paper_springs, LAW_HOOKE);
     body_inflate(body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
-    body->damping.coefficient = 0.02;
+    body->force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.02;
 }
 
 /// Its distance from centre to corner after the steps.
@@ -223,7 +226,7 @@ static void sphere_grows_as_its_sheet_allows(void** state) {
         body_of(&mesh, &body);
         body_add_springs(&body, paper_springs, LAW_HOOKE);
         body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 1});
-        body.damping.coefficient = 0.05;
+        body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.05;
         const double first = body.inflation.first_volume;
         step(&body, 1e-3, 6000);
         const double growth = cbrt(measure_volume(&mesh, body.x) / first) - 1;

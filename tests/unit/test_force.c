@@ -104,10 +104,31 @@ static void internal_forces_push_nothing_as_a_whole(void** state) {
         }
 }
 
+static void check_parameters(const Parameter* parameters, int count, int capacity) {
+    assert_true(count <= capacity);
+    for (int p = 0; p < count; p++) {
+        assert_true(parameters[p].min <= parameters[p].default_value);
+        assert_true(parameters[p].default_value <= parameters[p].max);
+        for (int q = 0; q < p; q++)
+            assert_string_not_equal(parameters[p].name, parameters[q].name);
+    }
+}
+
+static void a_body_stores_every_parameter_and_its_default_is_in_range(void** state) {
+    (void)state;
+    for (int k = 0; k < force_count; k++)
+        check_parameters(force_table[k]->parameters, force_table[k]->parameter_count,
+                         FORCE_PARAMETERS_MAX);
+    for (int m = 0; m < material_count; m++)
+        check_parameters(material_table[m]->parameters, material_table[m]->parameter_count,
+                         MATERIAL_PARAMETERS_MAX);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(force_is_the_gradient_of_its_energy),
         cmocka_unit_test(lift_is_the_weight_of_the_air_less_the_gas),
+        cmocka_unit_test(a_body_stores_every_parameter_and_its_default_is_in_range),
         cmocka_unit_test(internal_forces_push_nothing_as_a_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,8 @@
 /// What every method of the table owes: laws of motion, order, momenta, room.
 #include "bodies.h"
+#include "force/damping.h"
 #include "force/force.h"
+#include "force/helium.h"
 #include "mesh/measure.h"
 
 /// So many that each step is solved as far as the state's precision goes.
@@ -38,7 +40,7 @@ static double damped_spring(const Method* method, double h) {
     Body body;
     chain_of(&body, (double[]){0, 1}, 2, 1e-3, 50);
     body.inverse_mass[0] = 0;
-    body.damping.coefficient = 0.02;
+    body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.02;
     body.x[1][0] += (real)0.01;
     steps_of(method, &body, &thorough, h, (int)lround(0.05 / h));
     const double u = (double)body.x[1][0] - 1;
@@ -154,8 +156,8 @@ static double distance_to_newton(const Method* method, const Mesh* mesh, SpringL
     for (int k = 0; k < 2; k++) {
         body_of(mesh, &body[k]);
         body[k].gravity = 9.8;
-        body[k].helium.base = 20;
-        body[k].damping.coefficient = 0.05;
+        body[k].force_parameter[FORCE_HELIUM][HELIUM_BASE] = 20;
+        body[k].force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.05;
         body_add_springs(&body[k], paper_springs, springs);
         if (law != INFLATE_NONE)
             body_inflate(&body[k], &blown[law]);
@@ -220,7 +222,7 @@ static double settled(const Method* method, const Mesh* mesh, SpringLaw springs,
     body_of(mesh, &body);
     body_add_springs(&body, paper_springs, springs);
     body_inflate(&body, &blown[law]);
-    body.damping.coefficient = 0.1;
+    body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.1;
     double volume = NAN;
     if (takes(method, &body)) {
         steps_of(method, &body, &(Solver){.iterations = iterations, .tolerance = 1e-12}, h,

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "force/damping.h"
+#include "force/helium.h"
 #include "world/probe.h"
 
 double peer_pressure(const Mesh* mesh, double pressure, double volume, double area, double first) {
@@ -58,12 +60,12 @@ Peer* peer_with_links(const World* world, const PeerLinks* links) {
     def.triangle_count = body->mesh->triangle_count;
     def.triangle = (const int(*)[3])body->mesh->triangle;
     def.pressure = pressure_of(world);
-    def.damping = fmin(1, body_drag(body, 0) / (double)body->mass[0] * world->step);
+    def.damping = fmin(1, damping_drag(body, 0) / (double)body->mass[0] * world->step);
     def.stiffness = links->stiffness;
     def.position_rounds = links->rounds;
     def.margin = widest_gap(body);
     def.gravity = world->contacts.gravity;
-    def.lift = body_helium(body);
+    def.lift = helium_acceleration(body);
     Peer* peer = peer_open(&def);
     for (int s = 0; s < world->contacts.sphere_count; s++)
         peer_add_sphere(peer, &world->contacts.sphere[s]);

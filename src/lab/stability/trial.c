@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "force/damping.h"
 #include "force/tangent.h"
 
 const double trial_precision = 1e-3;
@@ -126,7 +127,7 @@ static void end_preparation(Trial* trial) {
 static double damping_rate(const Body* body) {
     double rate = 0;
     for (int i = 0; i < body->count; i++)
-        rate = fmax(rate, body_drag(body, i) * (double)body->inverse_mass[i]);
+        rate = fmax(rate, damping_drag(body, i) * (double)body->inverse_mass[i]);
     return rate;
 }
 

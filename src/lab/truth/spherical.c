@@ -46,8 +46,8 @@ static bool rubber(const Balloon* balloon, TruthBalloon* truth) {
     truth->law = truth_law_find(skin->material->name);
     truth->thickness = def->thickness;
     truth->modulus = skin->young;
-    truth->poisson = skin->poisson;
-    truth->mooney = skin->mooney;
+    truth->poisson = rubber_parameter(skin, "poisson", 0.5);
+    truth->mooney = rubber_parameter(skin, "mooney", 0);
     return truth->law != NULL;
 }
 
