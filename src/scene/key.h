@@ -47,9 +47,9 @@ struct KeyGroup {
 };
 
 /// A row's numbers and words for keys that take any number, and for keys that take none.
-#define ANY -INFINITY, INFINITY, false
-#define POSITIVE 0, INFINITY, true
-#define NOT_NEGATIVE 0, INFINITY, false
+#define ANY -INFINITY, INFINITY, false, false
+#define POSITIVE 0, INFINITY, true, false
+#define NOT_NEGATIVE 0, INFINITY, false, false
 #define NO_NUMBER NULL, ANY, NAN
 
 enum {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "force/damping.h"
 
 enum {
     PRODUCTS_MAX = 2000, ///< of one solve

@@ -1,10 +1,10 @@
 #include "world/command.h"
 
-#include "force/force.h"
-#include "world/rest.h"
-
 #include <stdlib.h>
 #include <string.h>
+
+#include "force/force.h"
+#include "world/rest.h"
 
 /// The balloons that keys act on: [first, last).
 static int first(const World* world) {
