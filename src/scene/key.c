@@ -19,7 +19,8 @@ void key_names(const KeyGroup* group, char* names, size_t size) {
 }
 
 bool key_allows(const Parameter* range, double value) {
-    return (range->min_open ? value > range->min : value >= range->min) && value <= range->max;
+    return (range->min_open ? value > range->min : value >= range->min) &&
+           (range->max_open ? value < range->max : value <= range->max);
 }
 
 void key_range(const Parameter* range, char words[96]) {
@@ -29,7 +30,8 @@ void key_range(const Parameter* range, char words[96]) {
     else if (range->max == INFINITY)
         snprintf(words, 96, "%s %g", from, range->min);
     else
-        snprintf(words, 96, "%s %g and at most %g", from, range->min, range->max);
+        snprintf(words, 96, "%s %g and %s %g", from, range->min,
+                 range->max_open ? "less than" : "at most", range->max);
 }
 
 typedef struct Visit {

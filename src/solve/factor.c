@@ -15,12 +15,12 @@ enum { COLUMNS = 4 };
 
 struct Factor {
     cholmod_common common;
-    cholmod_factor* pattern;     ///< symbolic analysis
-    cholmod_factor* rung[RUNGS]; ///< rung k: for the step h1 2^(-k/2)
-    cholmod_factor* selected;    ///< one of the rungs
-    double longest;              ///< h1 [s]
+    cholmod_factor* pattern;              ///< symbolic analysis
+    cholmod_factor* rung[RUNGS];          ///< rung k: for the step h1 2^(-k/2)
+    cholmod_factor* selected;             ///< one of the rungs
+    double longest;                       ///< h1 [s]
     double damping[FORCE_PARAMETERS_MAX]; ///< the force's parameters, of all rungs
-    int string_count;            ///< of all rungs
+    int string_count;                     ///< of all rungs
     cholmod_dense* right;
     cholmod_dense* solution;
     cholmod_dense* workspace[2]; ///< CHOLMOD's own
@@ -56,7 +56,8 @@ static cholmod_sparse* matrix_of(cholmod_common* common, const Body* body, doubl
         return NULL;
     for (int i = 0; i < body->count; i++)
         add_entry(list, i, i,
-                  body->inverse_mass[i] > 0 ? (double)body->mass[i] + h * damping_drag(body, i) : 1);
+                  body->inverse_mass[i] > 0 ? (double)body->mass[i] + h * damping_drag(body, i)
+                                            : 1);
     for (int s = 0; s < springs->count; s++) {
         const int* end = springs->end[s];
         const double k = h * h * (double)springs->stiffness[s];
