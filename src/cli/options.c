@@ -32,6 +32,7 @@ static const Option option_table[] = {
     {"--obj",       "FILE",     "the skins at the end",                            TEXT(obj)},
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages",           FLAG(time)},
+    {"--report",    NULL,       "run, peer: one last line of KEY=VALUE, for programs", FLAG(report)},
     {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
     {"--threads",   "N",        "threads that share a step, same bits; 1",         TEXT(threads)},
     {"--keep",      NULL,       "bench: keep these figures, to compare later ones with", FLAG(keep)},

@@ -25,7 +25,7 @@ typedef struct Options {
     const char* error;
     const char* budget;
     const char* only;
-    bool hash, time, quiet, overlay, lab, keep, quick, all, fresh, advised;
+    bool hash, time, report, quiet, overlay, lab, keep, quick, all, fresh, advised;
     SceneSet set[SETS_MOST];
     int set_count;
     char typed[SETS_MOST][256]; ///< texts of the sets that options such as --step stand for

@@ -25,7 +25,7 @@ static bool read_fit(const char* text, PeerFit* fit, Fault* fault) {
 
 bool verb_peer(const Options* options, Fault* fault) {
     World world;
-    PeerRun peer = {.time = options->time, .quiet = options->quiet};
+    PeerRun peer = {.time = options->time, .report = options->report, .quiet = options->quiet};
     if (!options->target)
         return fault_set(fault, NULL, "Bullet in which scene? See balloon --help");
     if (options->csv && strcmp(options->csv, "-") != 0)

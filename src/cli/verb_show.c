@@ -72,6 +72,7 @@ bool verb_run(const Options* options, Fault* fault) {
                               .input = options->input,
                               .record = options->record,
                               .time = options->time,
+                              .report = options->report,
                               .ghost = options->compare ? &ghost : NULL,
                               .quiet = options->quiet};
     if (!cli_open_pair(options, &sets, &world, &ghost, fault))

@@ -1,21 +1,28 @@
 #include "show/run.h"
 
 #include <errno.h>
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/clock.h"
+#include "base/memory.h"
+#include "lab/run/report_line.h"
 #include "show/pacer.h"
 #include "show/session.h"
 #include "world/fails.h"
 #include "world/probe.h"
 
 /// Step until the world's clock reads `until` or the state is bad; adds the CPU time to `spent`.
-static bool advance(Session* session, long until, bool quiet, double* spent, Fault* fault) {
+static bool advance(Session* session, long until, bool quiet, double* spent, ReportLine* line,
+                    Fault* fault) {
     World* world = session->world;
     const double start = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
     bool good = true;
-    while (good && world->clock < until && !world->blowup.halted && !world->notice[0])
+    while (good && world->clock < until && !world->blowup.halted && !world->notice[0]) {
         good = session_step(session, fault);
+        line->substeps = world->substeps > line->substeps ? world->substeps : line->substeps;
+    }
     *spent += clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - start;
     if (session->ghost) // its steps are its own
         *spent = session->ghost->spent;
@@ -64,6 +71,16 @@ static long next_about(const World* world, long from, long until) {
     return until;
 }
 
+static void measure_about(const World* world, ReportLine* line) {
+    for (int k = 0; k < line->outputs; k++) {
+        const AboutDef* about = &world->def.about[k];
+        double value;
+        if (pacer_steps(about->at, world->step) == world->clock &&
+            probe_value(world, about->output, &value))
+            line->output[k] = value;
+    }
+}
+
 static void print_about(const World* world) {
     for (unsigned k = 0; k < scene_outputs(&world->def); k++) {
         const AboutDef* about = &world->def.about[k];
@@ -100,7 +117,7 @@ static void csv_row(const Session* session, FILE* csv) {
 
 /// Rows and steps, to the end or to a bad state.
 static bool simulate(Session* session, const RunOptions* options, FILE* csv, double* spent,
-                     Fault* fault) {
+                     ReportLine* line, Fault* fault) {
     World* world = session->world;
     const long frames = pacer_steps(options->seconds, 1 / options->fps);
     const long steps = pacer_steps(options->seconds, world->step);
@@ -112,8 +129,9 @@ static bool simulate(Session* session, const RunOptions* options, FILE* csv, dou
         const long until = k <= frames ? pacer_steps((double)k / options->fps, world->step) : steps;
         while (world->clock < until && !world->blowup.halted) {
             const long stop = next_about(world, world->clock, until);
-            if (!advance(session, stop, options->quiet, spent, fault))
+            if (!advance(session, stop, options->quiet, spent, line, fault))
                 return false;
+            measure_about(world, line);
             if (!options->quiet && !csv)
                 print_about(world);
         }
@@ -125,16 +143,33 @@ static bool simulate(Session* session, const RunOptions* options, FILE* csv, dou
     return true;
 }
 
+/// Where the run came to its end or to a bad state; another fault has no figures.
+static void print_report(const World* world, bool good, double spent, ReportLine* line) {
+    if (!good && !world->blowup.halted)
+        return;
+    line->ended = good;
+    line->steps = world->clock;
+    line->seconds = world_time(world);
+    line->cpu_ms = line->seconds > 0 ? 1e3 * spent / line->seconds : (double)NAN;
+    line->substeps = line->substeps > world->substeps ? line->substeps : world->substeps;
+    snprintf(line->hash, sizeof line->hash, "%016llx", (unsigned long long)world_hash(world));
+    report_line_print(line, stdout);
+}
+
 bool run(World* world, const RunOptions* options, Fault* fault) {
     Session session;
     FILE* csv = NULL;
     double spent = 0;
+    ReportLine line = {.outputs = (int)scene_outputs(&world->def)};
     if (!session_open(&session, world, options->input, options->record, fault))
         return false;
 
+    line.output = new_array(double, line.outputs + 1);
+    for (int k = 0; k < line.outputs; k++)
+        line.output[k] = (double)NAN;
     session_compare(&session, options->ghost);
     bool good = !options->csv || (csv = open_out(options->csv, fault)) != NULL;
-    good = good && simulate(&session, options, csv, &spent, fault);
+    good = good && simulate(&session, options, csv, &spent, &line, fault);
     if (csv) // rows up to a bad state are good
         good = close_out(csv, options->csv, fault) && good;
     if (good && options->obj)
@@ -148,6 +183,9 @@ bool run(World* world, const RunOptions* options, Fault* fault) {
         ghost_summary(options->ghost, world, words, sizeof words);
         fprintf(csv == stdout ? stderr : stdout, "%s\n", words);
     }
+    if (options->report)
+        print_report(world, good, spent, &line);
+    free(line.output);
     session_close(&session);
     return good;
 }

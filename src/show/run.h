@@ -13,6 +13,7 @@ typedef struct RunOptions {
     const char* record; ///< file for the session's input log, or NULL
     Ghost* ghost;       ///< a second copy to compare with, or NULL
     bool time;          ///< print the CPU time of stepping alone
+    bool report;        ///< print the line of lab/run/report_line.h
     bool quiet;
 } RunOptions;
 

@@ -75,7 +75,7 @@ static bool command(const Study* study, const char* method, const char* precisio
     for (int k = 0; k < sets.count; k++)
         launch_add(launch, "--set=%s", sets.text[k]);
     launch_add(launch, "--seconds=%.17g", seconds);
-    launch_add(launch, "--time");
+    launch_add(launch, "--report");
     return true;
 }
 
@@ -87,7 +87,7 @@ static bool run_one(const Study* study, const char* method, const char* precisio
     if (good) {
         report_read(report, &launch);
         for (unsigned k = 0; k < study->outputs; k++)
-            value[k] = report_output(&launch, &study->world.def.about[k]);
+            value[k] = report_output(report, k);
     }
     launch_free(&launch);
     return good;

@@ -56,7 +56,7 @@ static bool command(const Needs* needs, const Overrides* sets, Launch* launch, F
     for (int k = 0; k < sets->count; k++)
         launch_add(launch, "--set=%s", sets->text[k]);
     launch_add(launch, "--seconds=%.17g", seconds_of(&needs->world.def));
-    launch_add(launch, "--time");
+    launch_add(launch, "--report");
     return true;
 }
 
@@ -78,7 +78,7 @@ static void take(Needs* needs, Need* need) {
     Report report;
     report_read(&report, &need->launch);
     for (unsigned k = 0; k < needs->outputs; k++)
-        need->value[k] = report_output(&need->launch, &needs->world.def.about[k]);
+        need->value[k] = report_output(&report, k);
     need->ended = report.ended;
     need->parts = report.parts;
     need->ms = fmin(need->ms, report.ms);

@@ -118,11 +118,11 @@ static bool run_advised(const char* scene, const World* world, const Overrides* 
         for (int k = 0; k < sets->count; k++)
             launch_add(&launch, "--set=%s", sets->text[k]);
         launch_add(&launch, "--seconds=%.17g", fmax(0.3, about->at));
-        launch_add(&launch, "--time");
+        launch_add(&launch, "--report");
         good = launch_all(&launch, 1, 1, "asked", fault);
         if (good) {
             report_read(&report, &launch);
-            *value = report_output(&launch, about);
+            *value = report_output(&report, 0);
             *ms = fmin(*ms, report.ms / ADVISE_FPS);
             report_free(&report);
         }

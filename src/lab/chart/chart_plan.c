@@ -109,8 +109,7 @@ static void command(const Dress* dress, const char* method, double step, const c
     launch_add(launch, "--seconds=%.17g", dress->chart->seconds);
     launch_add(launch, "--fps=%.17g", dress->chart->rows);
     launch_add(launch, "--csv=-");
-    launch_add(launch, "--time");
-    launch_add(launch, "--hash");
+    launch_add(launch, "--report");
 }
 
 static const char* skin_of(const BalloonDef* balloon, const char** law) {

@@ -6,6 +6,7 @@
 #include "base/clock.h"
 #include "base/memory.h"
 #include "force/inflation.h"
+#include "lab/run/report_line.h"
 #include "mesh/measure.h"
 #include "world/probe.h"
 
@@ -129,6 +130,17 @@ static void advance(Pair* pair, long until) {
     }
 }
 
+static void print_report(const World* world, bool ended, double spent) {
+    const double seconds = world_time(world);
+    ReportLine line = {.ended = ended,
+                       .steps = world->step_count,
+                       .seconds = seconds,
+                       .cpu_ms = 1e3 * spent / seconds,
+                       .substeps = 1};
+    snprintf(line.hash, sizeof line.hash, "%016llx", (unsigned long long)world_hash(world));
+    report_line_print(&line, stdout);
+}
+
 bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
     const PeerLinks links = peer_fit(world, &options->fit);
     if (!options->quiet)
@@ -153,6 +165,8 @@ bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
     if (options->time)
         printf("stepping %.6f s of CPU time for %g s: %.6f ms per simulated second\n", pair.spent,
                world_time(world), 1e3 * pair.spent / world_time(world));
+    if (options->report)
+        print_report(world, !bad, pair.spent);
     peer_close(pair.peer);
     return !bad || fault_set(fault, world->def.file, "Bullet's soft body went bad in step %ld",
                              world->step_count);

@@ -26,7 +26,8 @@ typedef struct PeerRun {
     double seconds; ///< simulated [s]
     double fps;     ///< rows of the CSV per simulated second
     PeerFit fit;
-    bool time; ///< print the CPU time of Bullet's steps alone
+    bool time;   ///< print the CPU time of Bullet's steps alone
+    bool report; ///< print the line of lab/run/report_line.h
     bool quiet;
 } PeerRun;
 

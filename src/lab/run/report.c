@@ -5,8 +5,7 @@
 #include <sys/wait.h>
 
 #include "base/memory.h"
-
-enum { HASH_DIGITS = 16 };
+#include "lab/run/report_line.h"
 
 static int count_of(const char* text, char c) {
     int count = 0;
@@ -50,31 +49,24 @@ static bool read_row(const Report* report, const char* line, double* value) {
     return true;
 }
 
-static void read_result(Report* report, const char* line) {
-    const char* time = strstr(line, " CPU time for ");
-    const char* ms = time ? strstr(time, ": ") : NULL;
-    if (ms)
-        report->ms = strtod(ms + 2, NULL);
-    else if (strlen(line) == HASH_DIGITS && strspn(line, "0123456789abcdef") == HASH_DIGITS)
-        snprintf(report->hash, sizeof report->hash, "%s", line);
-}
-
-static int parts_in(const char* said) {
-    const char words[] = "each is made in ";
-    int most = 1;
-    while ((said = strstr(said, words))) {
-        said += sizeof words - 1;
-        const int parts = atoi(said);
-        most = parts > most ? parts : most;
-    }
-    return most;
+static void read_result(Report* report, const char* text) {
+    ReportLine line;
+    if (!report_line_read(text, &line))
+        return;
+    free(report->output);
+    report->output = line.output;
+    report->outputs = line.outputs;
+    report->ms = line.cpu_ms;
+    report->parts = line.substeps;
+    if (line.ended)
+        snprintf(report->hash, sizeof report->hash, "%s", line.hash);
 }
 
 void report_read(Report* report, const Launch* launch) {
-    *report = (Report){.ms = (double)NAN, .text = new_array(char, strlen(launch->out) + 1)};
+    *report =
+        (Report){.ms = (double)NAN, .parts = 1, .text = new_array(char, strlen(launch->out) + 1)};
     strcpy(report->text, launch->out);
     report->ended = WIFEXITED(launch->status) && WEXITSTATUS(launch->status) == 0;
-    report->parts = parts_in(launch->err);
     const int lines = count_of(report->text, '\n');
     char *text = report->text, *line;
     while ((line = next_line(&text))) {
@@ -113,16 +105,14 @@ double report_at_time(const Report* report, const char* column, double t) {
     return report_at(report, column, nearest);
 }
 
-double report_output(const Launch* launch, const AboutDef* about) {
-    char words[160];
-    snprintf(words, sizeof words, "%s at %g s: ", about->output, about->at);
-    const char* found = strstr(launch->out, words);
-    return found ? strtod(found + strlen(words), NULL) : (double)NAN;
+double report_output(const Report* report, unsigned k) {
+    return k < (unsigned)report->outputs ? report->output[k] : (double)NAN;
 }
 
 void report_free(Report* report) {
     free(report->name);
     free(report->value);
+    free(report->output);
     free(report->text);
     *report = (Report){0};
 }
