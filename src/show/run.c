@@ -21,7 +21,7 @@ static bool advance(Session* session, long until, bool quiet, double* spent, Rep
     bool good = true;
     while (good && world->clock < until && !world->blowup.halted && !world->notice[0]) {
         good = session_step(session, fault);
-        line->substeps = world->substeps > line->substeps ? world->substeps : line->substeps;
+        line->substeps = world->guard.substeps > line->substeps ? world->guard.substeps : line->substeps;
     }
     *spent += clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - start;
     if (session->ghost) // its steps are its own
@@ -151,7 +151,7 @@ static void print_report(const World* world, bool good, double spent, ReportLine
     line->steps = world->clock;
     line->seconds = world_time(world);
     line->cpu_ms = line->seconds > 0 ? 1e3 * spent / line->seconds : (double)NAN;
-    line->substeps = line->substeps > world->substeps ? line->substeps : world->substeps;
+    line->substeps = line->substeps > world->guard.substeps ? line->substeps : world->guard.substeps;
     snprintf(line->hash, sizeof line->hash, "%016llx", (unsigned long long)world_hash(world));
     report_line_print(line, stdout);
 }
