@@ -65,6 +65,8 @@ static void damped_spring_s_error_halves_with_the_step(void** state) {
 static void a_kick_ends_with_velocities_that_respect_contacts(void** state) {
     (void)state;
     const double h = 1e-2, height = 1e-4;
+    const Solver usual = {.tolerance =
+                              0}; // each method's own: the law is of contacts, not of the solve
     for (int m = 0; m < method_count; m++) {
         Body body;
         chain_of(&body, (double[]){0, 1}, 2, paper_mass, 1);
@@ -74,8 +76,7 @@ static void a_kick_ends_with_velocities_that_respect_contacts(void** state) {
         const Plane floor = {.point = {0, -height, 0, 0}, .normal = {0, 1, 0, 0}};
         system_open(&system, 1);
         system.body[0] = &body;
-        system.workspace[0] =
-            method_table[m]->open ? method_table[m]->open(&body, &thorough) : NULL;
+        system.workspace[0] = method_table[m]->open ? method_table[m]->open(&body, &usual) : NULL;
         system.stats[0] = &stats;
         system.v_start[0] = new_array(real4, body.count);
         contacts_open(&contacts, CONTACT_IMPULSE, 0, &floor, 1, system.body,
