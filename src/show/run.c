@@ -13,6 +13,12 @@
 #include "world/fails.h"
 #include "world/probe.h"
 
+/// Remember the most substeps that the guard has made of a step.
+static void count_substeps(ReportLine* line, const World* world) {
+    if (world->guard.substeps > line->substeps)
+        line->substeps = world->guard.substeps;
+}
+
 /// Step until the world's clock reads `until` or the state is bad; adds the CPU time to `spent`.
 static bool advance(Session* session, long until, bool quiet, double* spent, ReportLine* line,
                     Fault* fault) {
@@ -21,7 +27,7 @@ static bool advance(Session* session, long until, bool quiet, double* spent, Rep
     bool good = true;
     while (good && world->clock < until && !world->blowup.halted && !world->notice[0]) {
         good = session_step(session, fault);
-        line->substeps = world->guard.substeps > line->substeps ? world->guard.substeps : line->substeps;
+        count_substeps(line, world);
     }
     *spent += clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - start;
     if (session->ghost) // its steps are its own
@@ -151,7 +157,7 @@ static void print_report(const World* world, bool good, double spent, ReportLine
     line->steps = world->clock;
     line->seconds = world_time(world);
     line->cpu_ms = line->seconds > 0 ? 1e3 * spent / line->seconds : (double)NAN;
-    line->substeps = line->substeps > world->guard.substeps ? line->substeps : world->guard.substeps;
+    count_substeps(line, world);
     snprintf(line->hash, sizeof line->hash, "%016llx", (unsigned long long)world_hash(world));
     report_line_print(line, stdout);
 }
