@@ -1,8 +1,8 @@
 /// Families are tables whose rows begin with their names. A table holds rows, or pointers to rows:
 ///
 ///     typedef struct Row { const char* name; … } Row;
-///     extern const Row row_table[];            row_of, names_of: with the size of a row
-///     extern const Row* const row_table[];     without
+///     extern const Row row_table[];            table_row_of, table_names_of, with the size of a row
+///     extern const Row* const row_table[];     table_find, table_names
 ///
 /// A plain list of names, const char* const list[], is a table of rows that hold nothing else.
 #ifndef BALLOON_BASE_TABLE_H

@@ -12,12 +12,12 @@
 ///            …   c1
 ///
 /// Particles are numbered along fronts (mesh/reorder.h), so the eight neighbours in a slot often
-/// follow each other as the particles do: of the 11,120 of the teddy in 47 of 100 slots, on a
-/// regular mesh of that size in 81. Such a row is read straight from arrays of each coordinate.
+/// follow each other as the particles do: in 47 % of the slots of the teddy (11,120 particles), in
+/// 81 % on a regular mesh of that size. Such a row is read straight from arrays of each coordinate.
 ///
 /// Where something is summed up over the faces, each is counted at its corner of the lowest number;
-/// a closed ring begins with these. On a rim the faces are a fan, whose last edge is one more pair
-/// b_n, a: what has its c at a is no face. Where a particle has fewer faces than the others of its
+/// a closed ring begins with these. On a rim the faces are an open fan: its last edge is one more
+/// pair (b_n, c_n = a), and a pair whose c is the particle a itself is not a face. Where a particle has fewer faces than the others of its
 /// slice, its ring stays at b_0; where a slot has no spring, its stiffness is 0. Source: M.
 /// Kreutzer et al., A unified sparse matrix data format (SELL-C-sigma), 2014.
 #ifndef BALLOON_BODY_SLICES_H
@@ -26,8 +26,8 @@
 #include "base/lanes.h"
 #include "body/springs.h"
 
-/// Slices that are worked on together, whoever does it, and whose sums are added up first: parts of
-/// the skin alone, so that sums have one order.
+/// Work is split into parts of fixed size, independent of the thread count, so that sums have one
+/// order.
 enum { PART_SLICES = 64, PART_PARTICLES = PART_SLICES * LANES };
 
 typedef struct Slices {

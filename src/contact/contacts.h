@@ -22,12 +22,12 @@
 
 /// A skin that balls can touch.
 typedef struct ContactSkin {
-    Body* body;             ///< the caller's
-    const real4* before;    ///< [count] velocities before the kick, the caller's
-    BulletSkin* patches;    ///< NULL until the first ball
-    unsigned char* owners;  ///< which triangle a shared corner or edge belongs to (feature.h)
+    Body* body;            ///< the caller's
+    const real4* before;   ///< [count] velocities before the kick, the caller's
+    BulletSkin* patches;   ///< NULL until the first ball
+    unsigned char* owners; ///< which triangle a shared corner or edge belongs to (shared_feature.h)
     double low[3], high[3]; ///< box of the skin at its last refit
-    double grown;           ///< how far any of it may have gone since then [m]
+    double grown;           ///< the longest way of any of its particles since then [m]
     double fastest;         ///< speed of its fastest particle in the last drift [m/s]
 } ContactSkin;
 

@@ -1,10 +1,10 @@
 /// The kinds of pairs that can touch: one file and one row each.
 ///
-/// A row states how long the pair needs no new look (conservative advancement), adds its contacts to
-/// the list that contact_solve solves, and limits the drift where the solve made things faster. A
+/// A row states the time until the pair must be tested again (conservative advancement), adds its
+/// contacts to the list that contact_solve solves, and shortens the drift if the solve raised speeds. A
 /// function that a pair does not need is NULL: balls among themselves and on planes are found and
-/// solved by Bullet, and particles on planes have a closed form. A further pair of skins needs a
-/// file, a row here and contacts in the list.
+/// solved by Bullet, and particles on planes have a closed form. A further pair of a ball needs a
+/// file, a row here and contacts in the list; without a ball nothing but `stop` is called.
 #ifndef BALLOON_CONTACT_PAIR_H
 #define BALLOON_CONTACT_PAIR_H
 
@@ -14,8 +14,8 @@ typedef struct PairRow {
     const char* name;
     const char* about;
 
-    /// How long a ball may go until the pair must be looked at again [s]: at most `safe`, the result
-    /// of the rows and balls before; h is the whole step that was asked for.
+    /// How long a ball may go until the pair must be looked at again [s]: at most `safe`, the
+    /// minimum over the rows and balls before; h is the whole step that was asked for.
     double (*safe_step)(Contacts* contacts, int ball, double h, double safe);
 
     /// Add the contacts that may touch in a drift of length h to the list.

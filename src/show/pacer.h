@@ -1,8 +1,9 @@
 /// Decides how many fixed steps are due in a frame, from the wall time that has passed.
 ///
 /// Time that has passed, over the slow-motion factor, becomes steps of the world; the fraction of a
-/// step that is left waits for the next frame. What is more than `most` of a single frame is
-/// forgotten: after a hitch, or on a slow machine, the toy runs slower and never jumps.
+/// step that is left waits for the next frame. Time beyond `frame_max` of a single
+/// frame is dropped: after a hitch, or on a slow machine, the simulation runs slower and never
+/// jumps.
 #ifndef BALLOON_SHOW_PACER_H
 #define BALLOON_SHOW_PACER_H
 
@@ -22,14 +23,15 @@ typedef struct Pacer {
 
 Pacer pacer_make(double step, double frame_max);
 
-/// Steps due after a frame that took `elapsed` seconds of wall time. They count as made: who has no
-/// time to make them all leaves the rest.
+/// Steps due after a frame that took `elapsed` seconds of wall time. They count as made: a caller that
+/// runs out of time drops the rest.
 long pacer_due(Pacer* pacer, double elapsed);
 
 void pacer_slower(Pacer* pacer);
 void pacer_faster(Pacer* pacer);
 
-/// How many steps fit into `time`: its floor, but what misses a whole number by rounding is whole.
+/// How many steps fit into `time`: rounded down, but up where it misses a whole
+/// number by a rounding error.
 long pacer_steps(double time, double step);
 
 #endif

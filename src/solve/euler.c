@@ -42,8 +42,15 @@ static bool kick_body(Body* body, void* workspace, double h, SolveStats* stats) 
     return true;
 }
 
-/// Stable where the step's matrix on (x, v) has no eigenvalue outside the unit circle:
-/// h^2 w^2 + 2 gamma h - 4 <= 0 for explicit damping at the old velocity.
+/// One mode of squared frequency w2 and damping rate gamma, v' = v - h (w2 x + gamma v) and
+/// x' = x + h v', is a linear map of (x, v) with determinant and trace
+///
+///     D = 1 - h gamma,   T = 2 - h gamma - h^2 w2
+///
+/// and the characteristic polynomial z^2 - T z + D. Both roots are in the unit circle where D <= 1
+/// and |T| <= 1 + D (Jury's criterion); the second is the narrower one, -T <= 1 + D:
+///
+///     h^2 w2 + 2 gamma h - 4 <= 0   or   h <= (-gamma + sqrt(gamma^2 + 4 w2)) / w2
 static double limit(double w2, double gamma) {
     if (w2 <= 0)
         return gamma > 0 ? 2 / gamma : INFINITY;
