@@ -149,6 +149,10 @@ usage "no such option" "$balloon" run party --colour red
 usage "needs a value" "$balloon" run party --seconds
 usage "only one" "$balloon" run party tether
 bad "went bad in step" "$balloon" run fails/long-step
+# what the guard does is said to people once, and to programs as a number
+"$balloon" run tether --seconds 0.1 --step 0.02 --report >"$scratch/report" 2>"$scratch/said"
+ok "the guard says into how many parts" grep -qE "step 0.02 s is above the largest stable one, [0-9.]+ s: each is made in 8 parts$" "$scratch/said"
+ok "and reports them" grep -qE "^report ended=1 steps=5 .* substeps=8 hash=[0-9a-f]{16}" "$scratch/report"
 ok "nothing was half-written" test ! -e "$scratch/m" -a ! -e "$scratch/e"
 "$balloon" run fails/long-step --csv "$scratch/f.csv" 2>/dev/null
 ok "rows up to the bad state are kept" test "$(wc -l <"$scratch/f.csv")" -ge 2
