@@ -1,17 +1,6 @@
 #include "contact/broad_phase.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-#include "base/memory.h"
-
-/// `count` more elements: a new array of twice the room with the old one's content.
-void* grown_array(void* old, size_t count, size_t size) {
-    void* array = memory_array(2 * count, size);
-    memcpy(array, old, count * size);
-    free(old);
-    return array;
-}
+#include "base/array.h"
 
 double broad_phase_max_speed(const Body* body) {
     if (body->asleep)
@@ -45,11 +34,11 @@ int broad_phase_triangles(Contacts* contacts, ContactSkin* skin, const Sphere* s
     while ((count = bullet_skin_near(skin->patches, center, reach, contacts->triangle,
                                      contacts->contact_room)) >
            contacts->contact_room - contacts->near_count) {
-        const size_t room = (size_t)contacts->contact_room;
-        contacts->contact = grown_array(contacts->contact, room, sizeof(Contact));
-        contacts->triangle = grown_array(contacts->triangle, room, sizeof(int));
-        contacts->warm.impulse = grown_array(contacts->warm.impulse, room, sizeof(StoredImpulse));
-        contacts->contact_room *= 2;
+        // three arrays of one capacity
+        const int full = contacts->contact_room;
+        array_reserve(contacts->contact, full, (int){full});
+        array_reserve(contacts->triangle, full, (int){full});
+        array_reserve(contacts->warm.impulse, full, contacts->contact_room);
     }
     return count;
 }

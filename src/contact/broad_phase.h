@@ -23,7 +23,4 @@ int broad_phase_triangles(Contacts* contacts, ContactSkin* skin, const Sphere* s
 /// triangle is within it, so that a search costs in proportion to the distance.
 double broad_phase_distance(Contacts* contacts, ContactSkin* skin, Sphere* sphere, double far);
 
-/// An array of twice the capacity with the `count` elements of the old one, which is freed.
-void* grown_array(void* old, size_t count, size_t size);
-
 #endif

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/memory.h"
+#include "base/array.h"
 #include "contact/triangle_path.h"
 #include "contact/shared_feature.h"
 #include "contact/broad_phase.h"
@@ -71,12 +71,10 @@ void contacts_add(Contacts* contacts, const Sphere* sphere) {
     if (!contacts->bullet)
         begin(contacts);
     if (contacts->sphere_count == contacts->sphere_room) {
-        const size_t room = (size_t)contacts->sphere_room;
-        contacts->sphere = grown_array(contacts->sphere, room, sizeof(Sphere));
-        contacts->good = grown_array(contacts->good, room, sizeof(Sphere));
-        contacts->pair =
-            grown_array(contacts->pair, room * (size_t)contacts->skin_count, sizeof(ContactPair));
-        contacts->sphere_room *= 2;
+        const int full = contacts->sphere_room, pairs = full * contacts->skin_count;
+        array_reserve(contacts->sphere, full, (int){full});
+        array_reserve(contacts->pair, pairs, (int){pairs});
+        array_reserve(contacts->good, full, contacts->sphere_room);
     }
     const int s = contacts->sphere_count++;
     contacts->sphere[s] = *sphere;

@@ -37,4 +37,10 @@ extern const PairRow* const pair_table[PAIR_ROWS];
 /// [radii] by which the two may come nearer than touching in a substep.
 static const double pair_max_overlap = 0.5;
 
+/// At most `safe`, and so long that two, `gap` apart, come no nearer than touching by more than that
+/// share of `radius` [s].
+static inline double pair_safe_time(double safe, double gap, double radius, double speed) {
+    return speed > 0 ? fmin(safe, fmax(pair_max_overlap * radius, gap) / speed) : safe;
+}
+
 #endif

@@ -1,5 +1,3 @@
-#include <math.h>
-
 #include "contact/pair.h"
 
 /// With the balls of higher number: each pair once.
@@ -11,8 +9,7 @@ static double safe_step(Contacts* contacts, int ball, double h, double safe) {
         const double gap = (double)(length(a->x - b->x) - a->radius - b->radius);
         const double speed = (double)length(a->v - b->v);
         const double radius = fmin((double)a->radius, (double)b->radius);
-        if (speed > 0)
-            safe = fmin(safe, fmax(pair_max_overlap * radius, gap) / speed);
+        safe = pair_safe_time(safe, gap, radius, speed);
     }
     return safe;
 }

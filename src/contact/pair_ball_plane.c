@@ -1,5 +1,3 @@
-#include <math.h>
-
 #include "contact/pair.h"
 
 /// Bullet solves a hit at the start of the substep in which it happens: a short substep keeps the
@@ -11,8 +9,7 @@ static double safe_step(Contacts* contacts, int ball, double h, double safe) {
         const Plane* plane = &contacts->plane[k];
         const double gap = ddot(plane->normal, to_double4(a->x) - plane->point) - radius;
         const double speed = fabs(ddot(plane->normal, to_double4(a->v))) + contacts->gravity * h;
-        if (speed > 0)
-            safe = fmin(safe, fmax(pair_max_overlap * radius, gap) / speed);
+        safe = pair_safe_time(safe, gap, radius, speed);
     }
     return safe;
 }

@@ -22,7 +22,7 @@ static double safe_step_to_skin(Contacts* contacts, ContactSkin* skin, Sphere* s
     if (broad_phase_box_distance(skin, to_double4(sphere->x)) >= reach)
         return h;
     const double distance = broad_phase_distance(contacts, skin, sphere, reach);
-    return fmin(h, fmax(pair_max_overlap * radius, distance - radius) / speed);
+    return pair_safe_time(h, distance - radius, radius, speed);
 }
 
 static double safe_step(Contacts* contacts, int ball, double h, double safe) {
