@@ -1,7 +1,5 @@
 #include "force/material.h"
 
-#include <string.h>
-
 #include "base/cpu.h"
 #include "base/table.h"
 
@@ -23,10 +21,8 @@ const char* material_names(void) {
 }
 
 const Parameter* material_parameter(const Material* material, const char* name) {
-    for (int k = 0; k < material->parameter_count; k++)
-        if (strcmp(material->parameters[k].name, name) == 0)
-            return &material->parameters[k];
-    return NULL;
+    return table_row_of(material->parameters, material->parameter_count,
+                        sizeof *material->parameters, name);
 }
 
 double rubber_parameter(const Rubber* rubber, const char* name, double otherwise) {

@@ -4,18 +4,14 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/table.h"
+
 const Key* key_find(const KeyGroup* group, const char* name) {
-    for (int i = 0; i < group->count; i++)
-        if (strcmp(group->key[i].is.name, name) == 0)
-            return &group->key[i];
-    return NULL;
+    return table_row_of(group->key, group->count, sizeof *group->key, name);
 }
 
 void key_names(const KeyGroup* group, char* names, size_t size) {
-    size_t length = 0;
-    for (int i = 0; i < group->count && length < size; i++)
-        length += (size_t)snprintf(names + length, size - length, "%s%s", i ? ", " : "",
-                                   group->key[i].is.name);
+    table_names_of(group->key, group->count, sizeof *group->key, names, size);
 }
 
 bool key_allows(const Parameter* range, double value) {

@@ -26,7 +26,7 @@ typedef enum KeyType {
 typedef struct KeyGroup KeyGroup;
 
 typedef struct Key {
-    Parameter is;
+    Parameter is; ///< first, so that its name is the row's (base/table.h)
     KeyType type;
     size_t offset;           ///< of the field in the group's struct
     bool required;           ///< of each mapping that may hold it

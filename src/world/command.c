@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/table.h"
 #include "force/force.h"
 #include "world/rest.h"
 
@@ -73,10 +74,8 @@ const Command command_table[] = {
 const int command_count = sizeof command_table / sizeof *command_table;
 
 int command_find(const char* name) {
-    for (int k = 0; k < command_count; k++)
-        if (strcmp(command_table[k].name, name) == 0)
-            return k;
-    return -1;
+    const Command* row = table_row_of(command_table, command_count, sizeof *command_table, name);
+    return row ? (int)(row - command_table) : -1;
 }
 
 static bool press(World* world, const Event* event, Fault* fault) {
