@@ -77,24 +77,17 @@ static long next_about(const World* world, long from, long until) {
     return until;
 }
 
-static void measure_about(const World* world, ReportLine* line) {
+/// Measure the outputs whose time has come, and print them where people read.
+static void measure_about(const World* world, ReportLine* line, bool print) {
     for (int k = 0; k < line->outputs; k++) {
         const AboutDef* about = &world->def.about[k];
-        double value;
         if (pacer_steps(about->at, world->step) == world->clock &&
-            probe_value(world, about->output, &value))
-            line->output[k] = value;
+            probe_value(world, about->output, &line->output[k]) && print)
+            printf("%s at %g s: %.9g\n", about->output, about->at, line->output[k]);
     }
 }
 
-static void print_about(const World* world) {
-    for (unsigned k = 0; k < scene_outputs(&world->def); k++) {
-        const AboutDef* about = &world->def.about[k];
-        double value;
-        if (pacer_steps(about->at, world->step) == world->clock &&
-            probe_value(world, about->output, &value))
-            printf("%s at %g s: %.9g\n", about->output, about->at, value);
-    }
+static void print_fails(const World* world) {
     const FailsDef* fails = world->def.fails;
     double value;
     if (fails && fails->output && pacer_steps(fails->at, world->step) == world->clock &&
@@ -137,9 +130,9 @@ static bool simulate(Session* session, const RunOptions* options, FILE* csv, dou
             const long stop = next_about(world, world->clock, until);
             if (!advance(session, stop, options->quiet, spent, line, fault))
                 return false;
-            measure_about(world, line);
+            measure_about(world, line, !options->quiet && !csv);
             if (!options->quiet && !csv)
-                print_about(world);
+                print_fails(world);
         }
         if (world->blowup.halted)
             return fault_set(fault, world->def.file, "%s", world->blowup.text);
