@@ -140,32 +140,33 @@ install: all
 
 # --- packages: exactly what is missing, with sudo when not root, and said ---------------------------
 
-define say_missing
-@missing=""; if command -v dpkg-query >/dev/null; then for p in $(1); do \
-    dpkg-query -W -f='$${db:Status-Status}' $$p 2>/dev/null | grep -qx installed || missing="$$missing $$p"; done; \
-    [ -z "$$missing" ] || { echo "Packages are missing; type: sudo apt-get install$$missing" >&2; exit 1; }; \
-else for l in $(2); do pkg-config --exists $$l 2>/dev/null || missing="$$missing $$l"; done; \
+# missing: packages that are not there, or on other systems libraries $(2) and commands $(3)
+define find_missing
+missing=""; debian=""; \
+if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then debian=1; \
+    for p in $(1); do dpkg-query -W -f='$${db:Status-Status}' $$p 2>/dev/null | grep -qx installed \
+        || missing="$$missing $$p"; done; \
+else \
+    for l in $(2); do pkg-config --exists $$l 2>/dev/null || missing="$$missing $$l"; done; \
     for c in $(3); do command -v $$c >/dev/null || missing="$$missing $$c"; done; \
-    [ -z "$$missing" ] || { echo "Please install these first:$$missing" >&2; exit 1; }; fi
+fi; \
+if [ -n "$$missing" ] && [ -z "$$debian" ]; then \
+    echo "This is no Debian; please install these first:$$missing" >&2; exit 1; fi
+endef
+
+define say_missing
+@$(call find_missing,$(1),$(2),$(3)); \
+[ -z "$$missing" ] || { echo "Packages are missing; type: sudo apt-get install$$missing" >&2; exit 1; }
 endef
 
 define install_missing
-@if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then \
-    missing=""; for p in $(1); do \
-        dpkg-query -W -f='$${db:Status-Status}' $$p 2>/dev/null | grep -qx installed \
-            || missing="$$missing $$p"; done; \
-    if [ -n "$$missing" ]; then \
-        sudo=""; [ "$$(id -u)" = 0 ] || sudo="sudo"; \
-        echo "Installing$$missing ($${sudo:-as root})"; \
-        $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
-            $$sudo apt-get install -y -qq --no-install-recommends $$missing >/dev/null || { \
-            echo "Could not install:$$missing" >&2; exit 1; }; fi; \
-else \
-    missing=""; for l in $(2); do pkg-config --exists $$l 2>/dev/null || missing="$$missing $$l"; done; \
-    for c in $(3); do command -v $$c >/dev/null || missing="$$missing $$c"; done; \
-    if [ -n "$$missing" ]; then echo "This is no Debian; please install these first:$$missing" >&2; \
-        exit 1; fi; \
-fi
+@$(call find_missing,$(1),$(2),$(3)); \
+if [ -n "$$missing" ]; then \
+    sudo=""; [ "$$(id -u)" = 0 ] || sudo="sudo"; \
+    echo "Installing$$missing ($${sudo:-as root})"; \
+    $$sudo apt-get update -qq && DEBIAN_FRONTEND=noninteractive \
+        $$sudo apt-get install -y -qq --no-install-recommends $$missing >/dev/null || { \
+        echo "Could not install:$$missing" >&2; exit 1; }; fi
 endef
 
 packages-build:
