@@ -1,6 +1,6 @@
 /// Outputs: a table, one row for each named number of the state.
 ///
-/// The CSV's header, an `about:` of a scene, `balloon list` and the scene reference walk it. The
+/// The CSV's header, an `about:` of a scene and the scene reference walk it. The
 /// order of the rows of a kind is that of the columns.
 #ifndef BALLOON_WORLD_OUTPUTS_H
 #define BALLOON_WORLD_OUTPUTS_H
