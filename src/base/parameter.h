@@ -12,6 +12,7 @@ typedef struct Parameter {
     double min, max;      ///< range; -INFINITY and INFINITY: no end
     bool min_open;        ///< greater than `min`, not equal to it
     bool max_open;        ///< less than `max`, not equal to it
+    bool per_particle;    ///< of each particle: half as much on a mesh of twice as many
     double default_value; ///< of a scene that does not give it
     const char* about;    ///< one sentence
 } Parameter;

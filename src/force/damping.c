@@ -4,9 +4,10 @@
 #include <math.h>
 
 static const Parameter parameters[] = {
-    [DAMPING_COEFFICIENT] = {"coefficient", "kg/s", 0, INFINITY,
+    [DAMPING_COEFFICIENT] = {"coefficient", "kg/s", 0, INFINITY, .per_particle = true,
                              .about = "drag per velocity of each particle"},
-    [DAMPING_RATE] = {"rate", "1/s", 0, INFINITY, .about = "drag per velocity and mass"},
+    [DAMPING_RATE] = {"rate", "1/s", 0, INFINITY,
+                      .about = "the same per mass; not with `coefficient`"},
 };
 
 static bool present(const Body* body) {
@@ -21,9 +22,10 @@ static void uniform(const Body* body, Uniform* sum) {
 
 const Force force_damping = {
     .name = "damping",
-    .about = "drag, -(coefficient + rate m) v",
+    .about = "drag of the air, -(coefficient + rate m) v",
     .parameters = parameters,
     .parameter_count = sizeof parameters / sizeof *parameters,
+    .exclusive = true,
     .present = present,
     .uniform = uniform,
     .external = true,

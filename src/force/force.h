@@ -21,9 +21,11 @@ typedef struct Force {
     const char* name;
     const char* about; ///< one line with the equation, for `balloon list` and the README
 
-    /// Numbers that a scene gives; their values are in body->force_parameter of the row.
+    /// Numbers that a scene gives as balloons.N.NAME.PARAMETER; their values are in
+    /// body->force_parameter of the row. A default is 0, with which the parameter does nothing.
     const Parameter* parameters;
     int parameter_count; ///< FORCE_PARAMETERS_MAX at most
+    bool exclusive;      ///< a scene gives one of them: the others are 0
 
     /// Whether this body has this force now.
     bool (*present)(const Body* body);

@@ -39,7 +39,6 @@ extern const ElementLoops neo_hookean_v3, mooney_rivlin_v3, stvk_v3, stvk_3d_v3;
 struct Material {
     const char* name;
     const char* about;
-    bool incompressible;  ///< Poisson's ratio is 1/2 by law
     bool reads_thickness; ///< it reads the thickness that the volume constraint keeps
 
     /// Numbers that a scene gives beside E and the density; their values are in Rubber.parameter.

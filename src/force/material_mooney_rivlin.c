@@ -24,6 +24,7 @@ static double energy(const double k[2], double t, double I, double D) {
 
 static const Parameter parameters[] = {
     {"mooney", "1", 0, INFINITY, .about = "C2/C1"},
+    {"poisson", "1", 0.5, 0.5, .default_value = 0.5, .about = "Poisson's ratio: incompressible"},
 };
 
 static void constants(const Rubber* rubber, double k[2]) {
@@ -35,7 +36,6 @@ static void constants(const Rubber* rubber, double k[2]) {
 const Material material_mooney_rivlin = {
     .name = "mooney-rivlin",
     .about = "W = C1 (I + 1/D - 3) + C2 (D + I/D - 3), incompressible rubber",
-    .incompressible = true,
     .parameters = parameters,
     .parameter_count = sizeof parameters / sizeof *parameters,
     .constants = constants,

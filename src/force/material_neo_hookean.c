@@ -21,6 +21,10 @@ static double energy(const double k[2], double t, double I, double D) {
     return k[0] / 2 * (I + 1 / D - 3);
 }
 
+static const Parameter parameters[] = {
+    {"poisson", "1", 0.5, 0.5, .default_value = 0.5, .about = "Poisson's ratio: incompressible"},
+};
+
 static void constants(const Rubber* rubber, double k[2]) {
     k[0] = rubber->young / 3;
     k[1] = 0;
@@ -29,7 +33,8 @@ static void constants(const Rubber* rubber, double k[2]) {
 const Material material_neo_hookean = {
     .name = "neo-hookean",
     .about = "W = mu/2 (I + 1/D - 3), incompressible rubber",
-    .incompressible = true,
+    .parameters = parameters,
+    .parameter_count = sizeof parameters / sizeof *parameters,
     .constants = constants,
     .energy = energy,
     .loops = {add_elements, assemble_elements, bound_elements},

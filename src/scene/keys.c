@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "scene/scene.h"
+#include "solve/method.h"
 
 const char* const guard_name[GUARD_COUNT] = {"split", "stop", "off"};
 const char* const units_name[UNITS_COUNT] = {"si", "paper"};
@@ -12,7 +12,7 @@ const char* const precision_name[PRECISIONS] = {"any", "float", "double"};
 #define AT(field) .offset = offsetof(DEF, field)
 #define COUNT(field) .count_offset = offsetof(DEF, field)
 #define GROUP(rows, Def)                                                                           \
-    { rows, sizeof rows / sizeof rows[0], sizeof(Def) }
+    { .key = rows, .count = sizeof rows / sizeof rows[0], .size = sizeof(Def) }
 
 // clang-format off
 #define DEF CameraDef
@@ -67,7 +67,7 @@ static const Key sphere_row[] = {
      .absent = "at rest"},
     {{"radius", "m", POSITIVE, NAN, "radius"}, KEY_NUMBER, AT(radius), .required = true},
     {{"mass", "kg", POSITIVE, NAN, "mass"}, KEY_NUMBER, AT(mass), .required = true},
-    {{"restitution", "1", 0, 1, false, false, 0, "Newton's coefficient"}, KEY_NUMBER, AT(restitution)},
+    {{"restitution", "1", 0, 1, false, false, false, 0, "Newton's coefficient"}, KEY_NUMBER, AT(restitution)},
     {{"friction", "1", NOT_NEGATIVE, 0, "Coulomb's coefficient"}, KEY_NUMBER, AT(friction)},
 };
 #undef DEF
@@ -95,11 +95,11 @@ static const KeyGroup pipe_keys = GROUP(pipe_row, PipeDef);
 
 #define DEF SolverDef
 static const Key solver_row[] = {
-    {{"iterations", "1", 0, 10000, false, false, 0, "largest number for each step"}, KEY_NUMBER,
+    {{"iterations", "1", 0, 10000, false, false, false, 0, "largest number for each step"}, KEY_NUMBER,
      AT(iterations), .absent = "0: the method's own number"},
-    {{"tolerance", "1", 0, 1, false, false, 0, "relative residual at which a step is solved"},
+    {{"tolerance", "1", 0, 1, false, false, false, 0, "relative residual at which a step is solved"},
      KEY_NUMBER, AT(tolerance), .absent = "0: the method's own"},
-    {{"linear_tolerance", "1", 0, 1, false, false, 0, "relative residual at which each of its linear systems is solved"}, KEY_NUMBER,
+    {{"linear_tolerance", "1", 0, 1, false, false, false, 0, "relative residual at which each of its linear systems is solved"}, KEY_NUMBER,
      AT(linear_tolerance), .absent = "0: the method's own"},
     {{"fixed", NO_NUMBER, "make all iterations, whatever the residual"}, KEY_FLAG, AT(fixed)},
     {{"start", NO_NUMBER, "where the iterations of a step begin"}, KEY_NAME, AT(start),
@@ -118,7 +118,7 @@ static const Key world_row[] = {
     {{"title", NO_NUMBER, "one line for lists"}, KEY_TEXT, AT(title), .longest = TEXT_LONGEST},
     {{"units", NO_NUMBER, "SI, or the mass-spring paper's, whose numbers have no SI unit"}, KEY_NAME,
      AT(units), .name = units_name, .name_count = UNITS_COUNT},
-    {{"step", "s", 0, 1, true, false, NAN, "length of the fixed step"}, KEY_NUMBER, AT(step),
+    {{"step", "s", 0, 1, true, false, false, NAN, "length of the fixed step"}, KEY_NUMBER, AT(step),
      .required = true},
     {{"gravity", "m/s^2", ANY, NAN, "acceleration downward"}, KEY_OPTIONAL, AT(gravity),
      .absent = "9.81, or 9.8 in the paper's units"},
@@ -127,13 +127,14 @@ static const Key world_row[] = {
      .name = guard_name, .name_count = GUARD_COUNT},
     {{"precision", NO_NUMBER, "number type of the state; `any`: that of the program, float for balloon"}, KEY_NAME, AT(precision), .name = precision_name,
      .name_count = PRECISIONS},
-    {{"method", NO_NUMBER, "method of the steps: one of `balloon list`"}, KEY_TEXT, AT(method),
-     .absent = "`euler`", .longest = WORD_LONGEST},
+    {{"method", NO_NUMBER, "method of the steps"}, KEY_TEXT, AT(method),
+     .absent = "`euler`", .longest = WORD_LONGEST, .table = method_table,
+     .table_count = &method_count},
     {{"solver", NO_NUMBER, "how a method solves its steps"}, KEY_MAPPING, AT(solver),
      .group = &solver_keys},
     {{"show", NO_NUMBER, "the display mode at the start: one of `balloon list`"}, KEY_TEXT, AT(show),
      .absent = "`skin`", .longest = WORD_LONGEST},
-    {{"rest", "1/s", 0, 1, false, false, 0, "a balloon sleeps once each of its particles has been slower than "
+    {{"rest", "1/s", 0, 1, false, false, false, 0, "a balloon sleeps once each of its particles has been slower than "
       "this many of its sizes a second for half a second; 0: none sleeps"}, KEY_NUMBER, AT(rest)},
     {{"seconds", "s", POSITIVE, 10, "how long headless runs last"}, KEY_NUMBER, AT(seconds)},
     {{"camera", NO_NUMBER, "where the eye is"}, KEY_POINTER, AT(camera), .group = &camera_keys,

@@ -3,12 +3,12 @@
 
 #include <math.h>
 
-#include "scene/scene.h"
+#include "force/material.h"
 
 #define AT(field) .offset = offsetof(DEF, field)
 #define COUNT(field) .count_offset = offsetof(DEF, field)
 #define GROUP(rows, Def)                                                                           \
-    { rows, sizeof rows / sizeof rows[0], sizeof(Def) }
+    { .key = rows, .count = sizeof rows / sizeof rows[0], .size = sizeof(Def) }
 
 // clang-format off
 #define DEF SpringsDef
@@ -39,12 +39,9 @@ static const KeyGroup patch_keys = GROUP(patch_row, PatchDef);
 
 #define DEF MembraneDef
 static const Key membrane_row[] = {
-    {{"material", NO_NUMBER, "law of the rubber: `neo-hookean`, `mooney-rivlin`, `stvk` or `stvk-3d`"}, KEY_TEXT, AT(material), .required = true,
-     .longest = WORD_LONGEST},
+    {{"material", NO_NUMBER, "law of the rubber"}, KEY_TEXT, AT(material), .required = true,
+     .longest = WORD_LONGEST, .table = material_table, .table_count = &material_count},
     {{"young", "Pa", POSITIVE, NAN, "Young's modulus E"}, KEY_NUMBER, AT(young), .required = true},
-    {{"poisson", "1", -1, 0.5, true, false, NAN, "Poisson's ratio"}, KEY_OPTIONAL, AT(poisson),
-     .absent = "1/2, or 0.45 of `stvk-3d`, which cannot take that"},
-    {{"mooney", "1", NOT_NEGATIVE, 0, "C2/C1 of `mooney-rivlin`"}, KEY_NUMBER, AT(mooney)},
     {{"density", "kg/m^3", POSITIVE, NAN, "density of the rubber"}, KEY_NUMBER, AT(density),
      .required = true},
     {{"thickness", "m", POSITIVE, NAN, "thickness of the rubber without stress"}, KEY_NUMBER, AT(thickness),
@@ -56,7 +53,11 @@ static const Key membrane_row[] = {
      COUNT(patches_count), .group = &patch_keys},
 };
 #undef DEF
-static const KeyGroup membrane_keys = GROUP(membrane_row, MembraneDef);
+static const KeyGroup membrane_keys = {.key = membrane_row,
+                                       .count = sizeof membrane_row / sizeof *membrane_row,
+                                       .more = key_of_material,
+                                       .selector = "material",
+                                       .size = sizeof(MembraneDef)};
 
 #define DEF SkinDef
 static const Key skin_row[] = {
@@ -69,7 +70,7 @@ static const KeyGroup skin_keys = GROUP(skin_row, SkinDef);
 
 #define DEF MassDef
 static const Key mass_row[] = {
-    {{"per_particle", "kg", POSITIVE, NAN, "mass of each particle"}, KEY_NUMBER, AT(per_particle),
+    {{"per_particle", "kg", 0, INFINITY, true, false, true, NAN, "mass of each particle"}, KEY_NUMBER, AT(per_particle),
      .required = true},
 };
 #undef DEF
@@ -104,8 +105,9 @@ static const Key inflation_row[] = {
     {{"temperature", "K", POSITIVE, 293.15, "gas: its temperature; amount 1 has the pressure `unit` at 293.15 K"},
      KEY_OPTIONAL, AT(temperature)},
     {{"adiabatic", NO_NUMBER, "gas: no heat goes through the skin"}, KEY_FLAG, AT(adiabatic)},
-    {{"filling", NO_NUMBER, "gas: `air` or `helium`, which has weight, and the air outside lifts "
-      "the balloon"}, KEY_TEXT, AT(filling), .absent = "a gas without weight", .longest = WORD_LONGEST},
+    {{"filling", NO_NUMBER, "gas: which one; it has weight, and the air outside lifts the balloon"},
+     KEY_TEXT, AT(filling), .absent = "a gas without weight", .longest = WORD_LONGEST,
+     .table = filling_table, .table_count = &filling_count},
     {{"leak", "1/(s Pa)", NOT_NEGATIVE, 0, "gas: amount lost per second and pascal of gauge pressure"},
      KEY_NUMBER, AT(leak)},
     {{"vent", "1/(s Pa)", NOT_NEGATIVE, NAN, "gas: the same while the deflate key is held"}, KEY_NUMBER, AT(vent), .absent = "`rate` per 1000 Pa"},
@@ -114,24 +116,6 @@ static const Key inflation_row[] = {
 };
 #undef DEF
 static const KeyGroup inflation_keys = GROUP(inflation_row, InflationDef);
-
-#define DEF HeliumDef
-static const Key helium_row[] = {
-    {{"base", "m/s^2", ANY, 0, "upward acceleration"}, KEY_NUMBER, AT(base)},
-    {{"per_inflation", "m/s^2 per amount", ANY, 0, "the same for each unit of amount"}, KEY_NUMBER,
-     AT(per_inflation)},
-};
-#undef DEF
-static const KeyGroup helium_keys = GROUP(helium_row, HeliumDef);
-
-#define DEF DampingDef
-static const Key damping_row[] = {
-    {{"coefficient", "kg/s", NOT_NEGATIVE, 0, "force per velocity on each particle"}, KEY_NUMBER,
-     AT(coefficient)},
-    {{"rate", "1/s", NOT_NEGATIVE, 0, "the same per mass; not with `coefficient`"}, KEY_NUMBER, AT(rate)},
-};
-#undef DEF
-static const KeyGroup damping_keys = GROUP(damping_row, DampingDef);
 
 #define DEF CorrectionDef
 static const Key correction_row[] = {
@@ -170,7 +154,7 @@ static const Key balloon_row[] = {
     {{"scale", "1", POSITIVE, 1, "factor on the model's points"}, KEY_NUMBER, AT(scale)},
     {{"turn", "degrees", ANY, 0, "rotation about y, before the position is added"}, KEY_NUMBER,
      AT(turn)},
-    {{"color", "1", 0, 1, false, false, NAN, "red, green and blue in sRGB"}, KEY_VECTOR, AT(color),
+    {{"color", "1", 0, 1, false, false, false, NAN, "red, green and blue in sRGB"}, KEY_VECTOR, AT(color),
      .absent = "the palette's next"},
     {{"skin", NO_NUMBER, "what holds the particles together"}, KEY_MAPPING, AT(skin),
      .group = &skin_keys},
@@ -180,9 +164,6 @@ static const Key balloon_row[] = {
     {{"hold_rim", NO_NUMBER, "the rim of an open mesh does not move"}, KEY_FLAG, AT(hold_rim)},
     {{"inflation", NO_NUMBER, "the pressure inside"}, KEY_POINTER, AT(inflation),
      .group = &inflation_keys},
-    {{"helium", NO_NUMBER, "lift as the mass-spring paper has it"}, KEY_POINTER, AT(helium),
-     .group = &helium_keys},
-    {{"damping", NO_NUMBER, "drag of the air"}, KEY_POINTER, AT(damping), .group = &damping_keys},
     {{"correction", NO_NUMBER, "strain limiting of over-stretched springs"},
      KEY_POINTER, AT(correction), .group = &correction_keys},
     {{"strings", NO_NUMBER, "strings to fixed points"}, KEY_LIST, AT(strings),
@@ -191,4 +172,7 @@ static const Key balloon_row[] = {
 #undef DEF
 // clang-format on
 
-const KeyGroup balloon_keys = GROUP(balloon_row, BalloonDef);
+const KeyGroup balloon_keys = {.key = balloon_row,
+                               .count = sizeof balloon_row / sizeof *balloon_row,
+                               .more = key_of_force,
+                               .size = sizeof(BalloonDef)};

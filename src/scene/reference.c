@@ -10,6 +10,13 @@ static void print_names(FILE* out, const Key* key) {
         fprintf(out, "%s`%s`", i ? ", " : "", key->name[i]);
 }
 
+/// The same of the rows of a table, which begin with their names.
+static void print_rows(FILE* out, const Key* key) {
+    const char* const* const* row = key->table;
+    for (int i = 0; i < *key->table_count; i++)
+        fprintf(out, "%s`%s`", i ? ", " : "", *row[i]);
+}
+
 static void print_value(FILE* out, const Key* key) {
     char range[96];
     key_range(&key->is, range);
@@ -29,7 +36,10 @@ static void print_value(FILE* out, const Key* key) {
             fputs("`true` or `false`", out);
             break;
         case KEY_TEXT:
-            fprintf(out, "text, at most %u bytes", key->longest);
+            if (key->table)
+                print_rows(out, key);
+            else
+                fprintf(out, "text, at most %u bytes", key->longest);
             break;
         case KEY_TEXTS:
             fprintf(out, "list of texts, each at most %u bytes", key->longest);
@@ -66,7 +76,10 @@ static void print_row(const char* path, const Key* key, void* context) {
     print_value(out, key);
     fputs(" | ", out);
     print_default(out, key);
-    fprintf(out, " | %s |\n", key->is.about);
+    fputs(" | ", out);
+    if (key->of)
+        fprintf(out, "`%s`: ", key->of);
+    fprintf(out, "%s |\n", key->is.about);
 }
 
 void scene_reference(FILE* out) {

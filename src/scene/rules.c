@@ -2,9 +2,7 @@
 
 #include <string.h>
 
-#include "base/table.h"
-#include "force/material.h"
-#include "solve/method.h"
+#include "force/force.h"
 
 /// A rule for each balloon: what breaks it, and what is then said of which key.
 typedef struct Rule {
@@ -12,11 +10,6 @@ typedef struct Rule {
     const char* sentence;
     bool (*broken)(const WorldDef* world, const BalloonDef* balloon);
 } Rule;
-
-static bool two_dampings(const WorldDef* world, const BalloonDef* balloon) {
-    (void)world;
-    return balloon->damping && balloon->damping->coefficient > 0 && balloon->damping->rate > 0;
-}
 
 static bool no_stiffness(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
@@ -38,34 +31,6 @@ static bool no_mass(const WorldDef* world, const BalloonDef* balloon) {
 static bool two_masses(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
     return balloon->mass && balloon->skin.membrane;
-}
-
-/// A material by name; rules_hold has yet to judge the name.
-static const Material* material_of(const BalloonDef* balloon) {
-    const MembraneDef* membrane = balloon->skin.membrane;
-    return membrane ? material_find(membrane->material) : NULL;
-}
-
-static bool poisson_too_large(const WorldDef* world, const BalloonDef* balloon) {
-    (void)world;
-    const Material* material = material_of(balloon);
-    const double* poisson = material ? balloon->skin.membrane->poisson : NULL;
-    const Parameter* row = material ? material_parameter(material, "poisson") : NULL;
-    return poisson && row && row->max_open && *poisson >= row->max;
-}
-
-static bool poisson_of_incompressible(const WorldDef* world, const BalloonDef* balloon) {
-    (void)world;
-    const Material* material = material_of(balloon);
-    const double* poisson = material ? balloon->skin.membrane->poisson : NULL;
-    return poisson && material->incompressible && *poisson != 0.5;
-}
-
-static bool mooney_of_another(const WorldDef* world, const BalloonDef* balloon) {
-    (void)world;
-    const Material* material = material_of(balloon);
-    return material && balloon->skin.membrane->mooney != 0 &&
-           !material_parameter(material, "mooney");
 }
 
 static bool tied_without_skin(const WorldDef* world, const BalloonDef* balloon) {
@@ -121,11 +86,6 @@ static const Rule rule_table[] = {
     {"skin", "a skin is of springs or a membrane, not both", two_skins},
     {"mass", "give the mass of a particle, as in mass: {per_particle: 0.001}", no_mass},
     {"mass", "a membrane has the mass of its rubber, from density and thickness", two_masses},
-    {"skin.membrane.poisson", "stvk-3d takes Poisson's ratios below 1/2 only", poisson_too_large},
-    {"skin.membrane.poisson", "this rubber is incompressible: its Poisson's ratio is 1/2",
-     poisson_of_incompressible},
-    {"skin.membrane.mooney", "only mooney-rivlin has a ratio of C2 to C1", mooney_of_another},
-    {"damping", "give coefficient or rate, not both", two_dampings},
     {"skin.springs", "no kind of spring has a stiffness; give one, as in {structural: 50}",
      no_stiffness},
     {"strings", "a string needs a skin that holds its particle, as in "
@@ -156,23 +116,23 @@ static bool balloon_rules_hold(const WorldDef* def, unsigned balloon, const Scen
     return true;
 }
 
-/// Names that tables know, and pipes between balloons that there are.
-static bool names_are_known(const WorldDef* def, unsigned b, const SceneTree* tree, Fault* fault) {
-    const MembraneDef* membrane = def->balloons[b].skin.membrane;
-    const InflationDef* inflation = def->balloons[b].inflation;
-    char path[80];
-    if (membrane && !material_find(membrane->material)) {
-        snprintf(path, sizeof path, "balloons.%u.skin.membrane.material", b);
-        return tree_fault(tree, tree_find(tree, path), fault, "no material '%s'; there are %s",
-                          membrane->material, material_names());
-    }
-    if (inflation && inflation->filling &&
-        !table_find(filling_table, filling_count, inflation->filling)) {
-        char names[64];
-        snprintf(path, sizeof path, "balloons.%u.inflation.filling", b);
-        return tree_fault(tree, tree_find(tree, path), fault, "no filling '%s'; there are %s",
-                          inflation->filling,
-                          table_names(filling_table, filling_count, names, sizeof names));
+/// A force that takes one of its parameters is not given two.
+static bool exclusive_parameters_hold(const WorldDef* def, unsigned balloon, const SceneTree* tree,
+                                      Fault* fault) {
+    for (int k = 0; k < force_count; k++) {
+        const Force* force = force_table[k];
+        const double* value = def->balloons[balloon].force[k];
+        const char* first = NULL;
+        for (int p = 0; force->exclusive && value && p < force->parameter_count; p++) {
+            const char* name = force->parameters[p].name;
+            char path[80];
+            snprintf(path, sizeof path, "balloons.%u.%s", balloon, force->name);
+            if (value[p] != 0 && first)
+                return tree_fault(tree, tree_find(tree, path), fault,
+                                  "balloons.%u: give %s or %s, not both", balloon, first, name);
+            if (value[p] != 0)
+                first = name;
+        }
     }
     return true;
 }
@@ -225,9 +185,6 @@ static bool about_says(const WorldDef* def, const SceneTree* tree, Fault* fault)
 }
 
 bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
-    if (def->method && !method_find(def->method))
-        return tree_fault(tree, tree_find(tree, "method"), fault, "no method '%s'; there are %s",
-                          def->method, method_names());
     if (camera_looks_nowhere(def->camera))
         return tree_fault(tree, tree_find(tree, "camera"), fault,
                           "the camera's eye is where it looks");
@@ -243,7 +200,8 @@ bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
                               "a wall's normal points somewhere; this one has no length");
     }
     for (unsigned i = 0; i < def->balloons_count; i++)
-        if (!names_are_known(def, i, tree, fault) || !balloon_rules_hold(def, i, tree, fault))
+        if (!exclusive_parameters_hold(def, i, tree, fault) ||
+            !balloon_rules_hold(def, i, tree, fault))
             return false;
     return pipes_join(def, tree, fault) && about_says(def, tree, fault);
 }

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/table.h"
+
 static bool store_number(Validator* validator, const Key* key, int id, const char* word,
                          double* number) {
     // digits first: strtod alone would take nan, infinity and hexadecimals
@@ -39,18 +41,15 @@ static bool store_optional(Validator* validator, const Key* key, int id, const c
 
 // The enum of a name is the name's index; enums are ints, as C's constants are.
 static bool store_name(Validator* validator, const Key* key, int id, const char* word, int* name) {
-    char words[512] = "";
-    size_t length = 0;
-    for (int i = 0; i < key->name_count; i++) {
-        if (strcmp(key->name[i], word) == 0) {
-            *name = i;
-            return true;
-        }
-        length += (size_t)snprintf(words + length, sizeof words - length, "%s%s",
-                                   length ? ", " : "", key->name[i]);
+    const char* const* row = table_row_of(key->name, key->name_count, sizeof *key->name, word);
+    if (row) {
+        *name = (int)(row - key->name);
+        return true;
     }
-    return tree_fault(validator->tree, id, validator->fault, "no %s '%.64s'; there are %s",
-                      key->is.name, word, words);
+    char names[256];
+    return tree_fault(
+        validator->tree, id, validator->fault, "no %s '%.64s'; there are %s", key->is.name, word,
+        table_names_of(key->name, key->name_count, sizeof *key->name, names, sizeof names));
 }
 
 static bool store_flag(Validator* validator, int id, const char* word, bool* flag) {
@@ -69,6 +68,12 @@ static bool store_text(Validator* validator, const Key* key, int id, const char*
     if (length > key->longest)
         return tree_fault(validator->tree, id, validator->fault, "%s must be at most %u bytes long",
                           validate_subject(validator), key->longest);
+    if (key->table && !table_find(key->table, *key->table_count, word)) {
+        char names[256];
+        return tree_fault(validator->tree, id, validator->fault, "no %s '%s'; there are %s",
+                          key->is.name, word,
+                          table_names(key->table, *key->table_count, names, sizeof names));
+    }
     *text = pool_array(validator->pool, length + 1, 1);
     memcpy(*text, word, length);
     return true;

@@ -55,12 +55,11 @@ typedef struct PatchDef {
 
 /// `membrane:` a skin of rubber with thickness (body/membrane.h).
 typedef struct MembraneDef {
-    char* material;   ///< a row of the table of materials, required
-    double young;     ///< E [Pa] required
-    double* poisson;  ///< nu [1]; NULL: 1/2, or 0.45 where the law cannot take that
-    double mooney;    ///< C2/C1 [1], of mooney-rivlin
-    double density;   ///< [kg/m^3] required
-    double thickness; ///< [m] required
+    char* material;                            ///< a row of the table of materials, required
+    double parameter[MATERIAL_PARAMETERS_MAX]; ///< the material's own, in its row's order
+    double young;                              ///< E [Pa] required
+    double density;                            ///< [kg/m^3] required
+    double thickness;                          ///< [m] required
     VolumeRule volume;
     PatchDef* patches;
     unsigned patches_count;
@@ -101,18 +100,6 @@ typedef struct InflationDef {
     FillDef* fill;
 } InflationDef;
 
-/// Helium: an upward acceleration base + per_inflation * amount [m/s^2].
-typedef struct HeliumDef {
-    double base;
-    double per_inflation;
-} HeliumDef;
-
-/// One of the two: a force -coefficient v, or -rate m v, on each particle.
-typedef struct DampingDef {
-    double coefficient; ///< [kg/s]
-    double rate;        ///< [1/s]
-} DampingDef;
-
 typedef struct StringDef {
     double* to;       ///< [3] fixed end; NULL: straight down to the floor
     char* at;         ///< particle: "nearest" to the fixed end, "lowest", "highest", or its number;
@@ -142,8 +129,8 @@ typedef struct BalloonDef {
     MassDef* mass; ///< required, but for a membrane, which has its rubber's
     bool hold_rim; ///< the points of an open mesh's rim do not move
     InflationDef* inflation;
-    HeliumDef* helium;
-    DampingDef* damping;
+    double* force[FORCES_MAX]; ///< parameters of each row of the table of forces that has some, as
+                               ///< the key of its name gives them [FORCE_PARAMETERS_MAX]
     CorrectionDef* correction;
     StringDef* strings;
     unsigned strings_count;

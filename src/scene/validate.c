@@ -29,51 +29,63 @@ static bool count_node(Validator* validator, int node) {
 }
 
 static bool has_required(Validator* validator, const KeyGroup* group, int node) {
-    for (int i = 0; i < group->count; i++) {
-        const char* name = group->key[i].is.name;
-        if (group->key[i].required && !tree_slot(validator->tree, node, name, strlen(name)))
+    Key key;
+    for (int i = 0; key_at(group, i, &key); i++) {
+        const char* name = key.is.name;
+        if (key.required && !tree_slot(validator->tree, node, name, strlen(name)))
             return tree_fault(validator->tree, node, validator->fault, "%s needs the key '%s'",
                               validate_subject(validator), name);
     }
     return true;
 }
 
-/// The row of a key of a mapping, or NULL with a fault.
-static const Key* known_key(Validator* validator, const KeyGroup* group, int mapping,
-                            const yaml_node_pair_t* pair) {
+/// The row of a key of a mapping whose selector is `of`; false with a fault where there is none.
+static bool known_key(Validator* validator, const KeyGroup* group, const char* of, int mapping,
+                      const yaml_node_pair_t* pair, Key* key) {
     const yaml_node_t* word = tree_node(validator->tree, pair->key);
     const char* subject = validate_subject(validator);
-    if (word->type != YAML_SCALAR_NODE) {
-        tree_fault(validator->tree, pair->key, validator->fault, "a key in %s must be a word",
-                   subject);
-        return NULL;
-    }
+    if (word->type != YAML_SCALAR_NODE)
+        return tree_fault(validator->tree, pair->key, validator->fault,
+                          "a key in %s must be a word", subject);
     const char* name = (const char*)word->data.scalar.value;
     const size_t length = strlen(name);
-    const Key* key = length == word->data.scalar.length ? key_find(group, name) : NULL;
-    if (!key) {
+    if (length != word->data.scalar.length || !key_find(group, of, name, key)) {
         char names[512];
-        key_names(group, names, sizeof names);
-        tree_fault(validator->tree, pair->key, validator->fault,
-                   "no key '%.64s' in %s; there are %s", name, subject, names);
-        return NULL;
+        key_names(group, of, names, sizeof names);
+        return tree_fault(validator->tree, pair->key, validator->fault,
+                          "no key '%.64s' in %s%s%s; there are %s", name, subject, of ? " of " : "",
+                          of ? of : "", names);
     }
-    if (tree_slot(validator->tree, mapping, name, length) == &pair->value)
-        return key;
-    tree_fault(validator->tree, pair->key, validator->fault, "'%s' stands twice in %s", name,
-               subject);
-    return NULL;
+    return tree_slot(validator->tree, mapping, name, length) == &pair->value ||
+           tree_fault(validator->tree, pair->key, validator->fault, "'%s' stands twice in %s", name,
+                      subject);
 }
 
 /// Store the default of each number that has one.
-static void store_defaults(const KeyGroup* group, char* filled) {
-    for (int i = 0; i < group->count; i++) {
-        const Key* key = &group->key[i];
-        if (key->type == KEY_NUMBER && isfinite(key->is.default_value))
-            memcpy(filled + key->offset, &key->is.default_value, sizeof(double));
-        else if (key->type == KEY_MAPPING)
-            store_defaults(key->group, filled + key->offset);
-    }
+static void store_defaults(const KeyGroup* group, const char* of, char* filled) {
+    Key key;
+    for (int i = 0; key_at(group, i, &key); i++)
+        if (key.type == KEY_NUMBER && isfinite(key.is.default_value) && key_is_of(&key, of))
+            memcpy(filled + key.offset, &key.is.default_value, sizeof(double));
+        else if (key.type == KEY_MAPPING)
+            store_defaults(key.group, NULL, filled + key.offset);
+}
+
+/// The word of the group's selector, NULL where it has none. False where it is no row's name.
+static bool read_selector(Validator* validator, const KeyGroup* group, int mapping, char* filled,
+                          const char** of) {
+    *of = NULL;
+    const char* name = group->selector;
+    const int* slot = name ? tree_slot(validator->tree, mapping, name, strlen(name)) : NULL;
+    Key key;
+    if (!slot || !key_find(group, NULL, name, &key))
+        return true;
+    const size_t length = enter(validator, name);
+    if (!validate_value(validator, &key, *slot, filled))
+        return false;
+    leave(validator, length);
+    memcpy(of, filled + key.offset, sizeof *of);
+    return true;
 }
 
 /// Fill the struct of a group from a mapping.
@@ -83,19 +95,22 @@ static bool validate_group(Validator* validator, const KeyGroup* group, int id, 
         return false;
     if (node->type != YAML_MAPPING_NODE) {
         char names[512];
-        key_names(group, names, sizeof names);
+        key_names(group, NULL, names, sizeof names);
         return tree_fault(validator->tree, id, validator->fault,
                           "%s must be keys with values; there are %s", validate_subject(validator),
                           names);
     }
-    store_defaults(group, filled);
+    const char* of;
+    if (!read_selector(validator, group, id, filled, &of))
+        return false;
+    store_defaults(group, of, filled);
     const yaml_node_pair_t* pair = node->data.mapping.pairs.start;
     for (; pair < node->data.mapping.pairs.top; pair++) {
-        const Key* key = known_key(validator, group, id, pair);
-        if (!key)
+        Key key;
+        if (!known_key(validator, group, of, id, pair, &key))
             return false;
-        const size_t length = enter(validator, key->is.name);
-        if (!validate_value(validator, key, pair->value, filled))
+        const size_t length = enter(validator, key.is.name);
+        if (!validate_value(validator, &key, pair->value, filled))
             return false;
         leave(validator, length);
     }
@@ -160,9 +175,10 @@ static bool validate_value(Validator* validator, const Key* key, int node, char*
     if (key->type == KEY_MAPPING)
         return validate_group(validator, key->group, node, field);
     if (key->type == KEY_POINTER) {
-        char* group = pool_array(validator->pool, 1, key->group->size);
-        memcpy(field, &group, sizeof group);
-        return validate_group(validator, key->group, node, group);
+        const KeyGroup group = key_group(key);
+        char* below = pool_array(validator->pool, 1, group.size);
+        memcpy(field, &below, sizeof below);
+        return validate_group(validator, &group, node, below);
     }
     if (key->type == KEY_LIST || key->type == KEY_VECTOR || key->type == KEY_TEXTS)
         return validate_list(validator, key, node, filled);

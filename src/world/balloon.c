@@ -5,8 +5,6 @@
 
 #include "base/memory.h"
 #include "base/table.h"
-#include "force/damping.h"
-#include "force/helium.h"
 #include "force/inflation.h"
 #include "force/material.h"
 #include "mesh/load.h"
@@ -148,20 +146,13 @@ static void compute_thickness(const Body* body, const MembraneDef* def, double* 
 }
 
 static void add_membrane(Body* body, const MembraneDef* def) {
-    const Material* material = material_find(def->material);
     Rubber rubber = {
-        .material = material,
+        .material = material_find(def->material),
         .young = def->young,
         .density = def->density,
         .rule = def->volume,
     };
-    for (int k = 0; k < material->parameter_count; k++) {
-        const Parameter* parameter = &material->parameters[k];
-        const double* value = strcmp(parameter->name, "poisson") == 0  ? def->poisson
-                              : strcmp(parameter->name, "mooney") == 0 ? &def->mooney
-                                                                       : NULL;
-        rubber.parameter[k] = value ? *value : parameter->default_value;
-    }
+    memcpy(rubber.parameter, def->parameter, sizeof rubber.parameter);
     double* thickness = new_array(double, body->count);
     compute_thickness(body, def, thickness);
     material_add(body, thickness, &rubber);
@@ -204,14 +195,9 @@ static void make(Balloon* balloon, const WorldDef* world) {
     if (def->skin.membrane)
         add_membrane(body, def->skin.membrane);
     add_inflation(balloon, world);
-    if (def->helium) {
-        body->force_parameter[FORCE_HELIUM][HELIUM_BASE] = def->helium->base;
-        body->force_parameter[FORCE_HELIUM][HELIUM_PER_INFLATION] = def->helium->per_inflation;
-    }
-    if (def->damping) {
-        body->force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = def->damping->coefficient;
-        body->force_parameter[FORCE_DAMPING][DAMPING_RATE] = def->damping->rate;
-    }
+    for (int k = 0; k < force_count; k++)
+        if (def->force[k])
+            memcpy(body->force_parameter[k], def->force[k], sizeof *body->force_parameter);
     add_strings(balloon, world);
     set_strain_limit(balloon);
     volume_constraint_open(&balloon->volume_constraint, body);

@@ -171,7 +171,7 @@ static double cz(BALLOON) { return center(&b->body)[2]; }
 
 static bool closed(BALLOON) { return b->mesh.closed; }
 static bool inflated(BALLOON) { return b->body.inflation.law != INFLATE_NONE; }
-static bool lifted(BALLOON) { return b->def->helium || b->body.inflation.weighs; }
+static bool lifted(BALLOON) { return b->def->force[FORCE_HELIUM] || b->body.inflation.weighs; }
 static bool elastic_skin(BALLOON) { return b->def->skin.springs || b->def->skin.membrane; }
 static bool thick(BALLOON) { return b->def->skin.membrane != NULL; }
 static bool gassy(BALLOON) { return b->body.inflation.law == INFLATE_GAS; }

@@ -23,7 +23,7 @@ static inline void everything(const Mesh* mesh, Body* body, SpringLaw spring_law
                                     .unit = 10,
                                     .ambient = 10,
                                     .temperature = 1,
-                                    .adiabatic = material->incompressible,
+                                    .adiabatic = !material->reads_thickness,
                                     .weighs = law == INFLATE_GAS,
                                     .filling = filling_table[1]});
     for (int k = 0; k < force_count; k++)

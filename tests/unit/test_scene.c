@@ -1,6 +1,8 @@
 /// The scene format: every key loads, names find their files, mutations never crash.
 #include "scenes.h"
 
+#include "force/damping.h"
+#include "force/helium.h"
 #include "scene/key.h"
 #include "solve/method.h"
 #include "view/mode.h"
@@ -50,7 +52,7 @@ static void every_key_of_rubber_and_gas_loads_into_its_field(void** state) {
     must_load(full, NULL, &def);
     const MembraneDef* rubber = def.balloons[1].skin.membrane;
     assert_string_equal(rubber->material, "stvk-3d");
-    assert_true(rubber->young == 1e6 && *rubber->poisson == 0.4 && rubber->mooney == 0);
+    assert_true(rubber->young == 1e6 && rubber->parameter[0] == 0.4);
     assert_true(rubber->density == 1000 && rubber->thickness == 3e-4);
     assert_int_equal(rubber->volume, VOLUME_GLOBAL);
     assert_int_equal(rubber->patches_count, 1);
@@ -95,8 +97,10 @@ static void every_key_of_a_balloon_loads_into_its_field(void** state) {
     assert_true(springs->torsion == 12 && springs->law == LAW_RUBBER);
     assert_true(balloon->mass->per_particle == 0.001);
     assert_true(balloon->hold_rim);
-    assert_true(balloon->helium->base == 20 && balloon->helium->per_inflation == 5);
-    assert_true(balloon->damping->coefficient == 0.2 && balloon->damping->rate == 0);
+    const double* helium = balloon->force[FORCE_HELIUM];
+    assert_true(helium[HELIUM_BASE] == 20 && helium[HELIUM_PER_INFLATION] == 5);
+    const double* damping = balloon->force[FORCE_DAMPING];
+    assert_true(damping[DAMPING_COEFFICIENT] == 0.2 && damping[DAMPING_RATE] == 0);
     const CorrectionDef* correction = balloon->correction;
     assert_true(correction->structural == 0.1 && correction->shear == 0.2);
     assert_true(correction->flexion == 0.3 && correction->tarantino && correction->phantom);
@@ -137,8 +141,10 @@ static void what_a_scene_does_not_name_is_absent(void** state) {
     assert_int_equal(got.guard, GUARD_SPLIT);
     assert_int_equal(got.precision, PRECISION_ANY);
     const BalloonDef* b = got.balloons;
-    assert_true(!b->position && !b->color && !b->skin.springs && !b->inflation && !b->helium);
-    assert_true(!b->damping && !b->correction && !b->strings && b->strings_count == 0);
+    assert_true(!b->position && !b->color && !b->skin.springs && !b->inflation);
+    for (int k = 0; k < FORCES; k++)
+        assert_null(b->force[k]);
+    assert_true(!b->correction && !b->strings && b->strings_count == 0);
     assert_true(b->size == 0 && b->scale == 1 && b->turn == 0 && !b->hold_rim);
     scene_free(&def);
 }
@@ -318,16 +324,24 @@ static void a_mutated_scene_is_loaded_or_refused_in_one_sentence(void** state) {
 }
 
 static const char* absent(const char* name) {
-    return key_find(&scene_keys, name)->absent;
+    Key key;
+    assert_true(key_find(&scene_keys, NULL, name, &key));
+    return key.absent;
+}
+
+static double default_of(const KeyGroup* group, const char* name) {
+    Key key;
+    assert_true(key_find(group, NULL, name, &key));
+    return key.is.default_value;
 }
 
 /// A default that other rooms hold as well is the row's.
 static void defaults_of_rows_are_those_of_the_program(void** state) {
     (void)state;
-    const Key* inflation = key_find(&balloon_keys, "inflation");
-    assert_true(key_find(inflation->group, "ambient")->is.default_value == standard_pressure);
-    assert_true(key_find(inflation->group, "temperature")->is.default_value ==
-                standard_temperature);
+    Key inflation;
+    assert_true(key_find(&balloon_keys, NULL, "inflation", &inflation));
+    assert_true(default_of(inflation.group, "ambient") == standard_pressure);
+    assert_true(default_of(inflation.group, "temperature") == standard_temperature);
     char word[80];
     snprintf(word, sizeof word, "`%s`", method_table[0]->name);
     assert_string_equal(absent("method"), word);

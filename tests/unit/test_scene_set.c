@@ -1,6 +1,8 @@
 /// Overrides from the command line, --set KEY=VALUE.
 #include "scenes.h"
 
+#include "force/force.h"
+
 static void an_override_changes_what_the_file_says(void** state) {
     (void)state;
     const char* const set[] = {"step=0.5", "balloons.0.color=[0, 1, 0]",
@@ -36,7 +38,8 @@ static void an_override_takes_a_key_out(void** state) {
     assert_true(def.floor && def.balloons->strings_count > 0);
     scene_free(&def);
     must_load(full, set, &def);
-    assert_true(!def.floor && def.balloons->strings_count == 0 && def.balloons->helium);
+    assert_true(!def.floor && def.balloons->strings_count == 0 &&
+                def.balloons->force[FORCE_HELIUM]);
     scene_free(&def);
     const char* const item[] = {"balloons.0.strings.0=~", NULL};
     must_refuse(full, item, "--set balloons.0.strings.0=~", "items of a list stay");

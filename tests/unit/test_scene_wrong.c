@@ -30,9 +30,9 @@ static const Wrong wrong_table[] = {
     {HEAD "    skin: {membrane: {material: stvk, young: 1, density: 1, thickness: 1}}\n", 4,
      "a membrane has the mass of its rubber"},
     {RUBBER "material: cheese}}\n", 4, "no material 'cheese'; there are neo-hookean"},
-    {RUBBER "material: stvk-3d, poisson: 0.5}}\n", 4, "takes Poisson's ratios below 1/2"},
-    {RUBBER "material: neo-hookean, poisson: 0.4}}\n", 4, "this rubber is incompressible"},
-    {RUBBER "material: stvk, mooney: 0.1}}\n", 4, "only mooney-rivlin has a ratio"},
+    {RUBBER "material: stvk-3d, poisson: 0.5}}\n", 4, "poisson must be greater than -1 and less than 0.5"},
+    {RUBBER "material: neo-hookean, poisson: 0.4}}\n", 4, "poisson must be 0.5, not 0.4"},
+    {RUBBER "material: stvk, mooney: 0.1}}\n", 4, "no key 'mooney' in balloons.0.skin.membrane of stvk; there are material"},
     {RUBBER "material: stvk}}\n    inflation: {law: gas, amount: 1, filling: xenon}\n", 5,
      "no filling 'xenon'; there are air, helium"},
     {RUBBER "material: stvk}}\n    inflation: {law: pressure, amount: 1, leak: 1}\n", 5,
@@ -118,12 +118,15 @@ static void first_of(const char* pattern, char path[128]) {
             *c = '0';
 }
 
-static void must_be_out_of_range(const char* path, double value) {
-    char text[192], place[200], words[200];
+static void must_be_out_of_range(const char* path, const char* of, double value) {
+    char text[192], place[200], words[200], skin[192];
+    snprintf(skin, sizeof skin,
+             "balloons.1.skin={membrane: {material: %s, young: 1, density: 1, thickness: 1}}", of);
     snprintf(text, sizeof text, "%s=%.17g", path, value);
     snprintf(place, sizeof place, "--set %s", text);
     snprintf(words, sizeof words, "%s must be", path);
-    must_refuse(full, (const char* const[]){text, NULL}, place, words);
+    const char* const set[] = {of ? skin : text, text, NULL};
+    must_refuse(full, set, place, words);
 }
 
 static void out_of_range_is_refused(const char* pattern, const Key* key, void* ranges) {
@@ -135,12 +138,12 @@ static void out_of_range_is_refused(const char* pattern, const Key* key, void* r
     if (key->type == KEY_VECTOR)
         strcat(path, ".0");
     *(int*)ranges += 1;
-    must_be_out_of_range(path, range->min - 1e-6);
-    must_be_out_of_range(path, -1e300);
+    must_be_out_of_range(path, key->of, range->min - 1e-6);
+    must_be_out_of_range(path, key->of, -1e300);
     if (range->min_open)
-        must_be_out_of_range(path, range->min);
+        must_be_out_of_range(path, key->of, range->min);
     if (range->max < INFINITY)
-        must_be_out_of_range(path, range->max + 1e-6);
+        must_be_out_of_range(path, key->of, range->max + 1e-6);
 }
 
 static void every_range_of_the_table_holds_a_number_of_the_format(void** state) {

@@ -4,18 +4,19 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
+#include "base/array.h"
+#include "base/paths.h"
+#include "base/table.h"
 #include "lab/advice/needs_part.h"
 #include "lab/run/plot.h"
 #include "lab/run/report.h"
-#include "base/paths.h"
 #include "world/world.h"
 
 enum { ROUNDS = 3, OUTPUTS_MOST = 16 };
 
 /// The scene as it is, or without one part.
 typedef struct Need {
-    const NeedsPart* part; ///< NULL: nothing is missing
+    NeedsPart part; ///< of the first of all: nothing is missing
     Launch launch;
     double value[OUTPUTS_MOST];  ///< NAN: this run does not have it
     double change[OUTPUTS_MOST]; ///< [tolerances]
@@ -31,6 +32,7 @@ typedef struct Needs {
     World world; ///< the scene, before its first step
     Need* need;  ///< [count] the scene as it is comes first
     int count;
+    int capacity;
     unsigned outputs;
 } Needs;
 
@@ -63,11 +65,14 @@ static bool command(const Needs* needs, const Overrides* sets, Launch* launch, F
 static bool add_need(Needs* needs, const NeedsPart* part, Fault* fault) {
     Overrides sets = {.count = 0};
     if (part)
-        part->simplify(&needs->world, &sets);
+        needs_part_simplify(part, &needs->world, &sets);
     if (part && sets.count == 0)
         return true;
+    array_reserve(needs->need, needs->count, needs->capacity);
     Need* need = &needs->need[needs->count++];
-    *need = (Need){.part = part, .ms = INFINITY};
+    *need = (Need){.ms = INFINITY};
+    if (part)
+        need->part = *part;
     for (unsigned k = 0; part && k < needs->world.def.because_count; k++)
         if (strcmp(needs->world.def.because[k].part, part->name) == 0)
             need->because = needs->world.def.because[k].reason;
@@ -106,7 +111,7 @@ static bool run_all(Needs* needs, Fault* fault) {
 
 /// A step that is split until it is no longer than before was not made longer.
 static bool is_simpler(const Need* need, const Need* whole) {
-    return strcmp(need->part->name, "step") != 0 || need->parts < 2 * whole->parts;
+    return strcmp(need->part.name, "step") != 0 || need->parts < 2 * whole->parts;
 }
 
 static void judge(Needs* needs) {
@@ -133,7 +138,7 @@ static bool can_be_judged(const Needs* needs, Fault* fault) {
     if (def->about_count > OUTPUTS_MOST)
         return fault_set(fault, def->file, "it is about more than %d outputs", OUTPUTS_MOST);
     for (unsigned k = 0; k < def->because_count; k++)
-        if (!needs_part_find(def->because[k].part))
+        if (!needs_part_exists(def->because[k].part))
             return fault_set(fault, def->file, "because: there is no part '%s'",
                              def->because[k].part);
     return true;
@@ -160,7 +165,7 @@ static const char* verdict_of(const Need* need) {
 }
 
 static void print_need(const Needs* needs, const Need* need) {
-    printf("%-22s %-32s", need->part->name, need->part->instead);
+    printf("%-22s %-32s", need->part.name, need->part.instead);
     for (unsigned k = 0; k < needs->outputs; k++)
         if (need->ended && isfinite(need->change[k]))
             printf(" %10.3g", need->change[k]);
@@ -204,7 +209,7 @@ static void write_rows(const Needs* needs, FILE* out) {
         const Need* need = &needs->need[n];
         const unsigned k = worst(needs, need);
         const double tolerance = needs->world.def.about[k].tolerance;
-        fprintf(out, "%s,%s,%.6g,%g,%.3g,%d,\"%s\"\n", name, need->part->name,
+        fprintf(out, "%s,%s,%.6g,%g,%.3g,%d,\"%s\"\n", name, need->part.name,
                 need->change[k] * tolerance, tolerance, need->ms / needs->need[0].ms, need->needed,
                 need->because ? need->because : "");
     }
@@ -214,9 +219,8 @@ static void write_rows(const Needs* needs, FILE* out) {
 static void name_unneeded(const Needs* needs, char* names, size_t size) {
     for (int n = 1; n < needs->count; n++) {
         const Need* need = &needs->need[n];
-        const size_t used = strlen(names);
         if (!need->needed && !need->because)
-            snprintf(names + used, size - used, "%s%s", used ? ", " : "", need->part->name);
+            table_add_name(names, size, need->part.name);
     }
 }
 
@@ -229,10 +233,10 @@ static bool open_needs(Needs* needs, const char* scene, const NeedsOptions* opti
         !world_open(&needs->world, &def, fault))
         return false;
     needs->outputs = scene_outputs(&needs->world.def);
-    needs->need = new_array(Need, needs_part_count + 1);
     bool good = can_be_judged(needs, fault) && add_need(needs, NULL, fault);
-    for (int k = 0; good && k < needs_part_count; k++)
-        good = add_need(needs, &needs_part_table[k], fault);
+    NeedsPart part;
+    for (int k = 0; good && needs_part_at(k, &part); k++)
+        good = add_need(needs, &part, fault);
     return good;
 }
 

@@ -3,9 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/table.h"
+#include "force/material.h"
 #include "lab/run/refinement.h"
 #include "mesh/measure.h"
+#include "scene/key.h"
 
 // --- what is beside the balloons -----------------------------------------------------------------
 
@@ -13,99 +14,6 @@ static void gravity(const World* world, Overrides* sets) {
     if (scene_gravity(&world->def) != 0)
         overrides_add(sets, "gravity=0");
 }
-
-static void the_floor(const World* world, Overrides* sets) {
-    if (world->def.floor)
-        overrides_add(sets, "floor=~");
-}
-
-static void walls(const World* world, Overrides* sets) {
-    if (world->def.walls_count > 0)
-        overrides_add(sets, "walls=[]");
-}
-
-static void spheres(const World* world, Overrides* sets) {
-    if (world->def.spheres_count > 0)
-        overrides_add(sets, "spheres=[]");
-}
-
-static void friction(const World* world, Overrides* sets) {
-    for (unsigned s = 0; s < world->def.spheres_count; s++)
-        if (world->def.spheres[s].friction > 0)
-            overrides_add(sets, "spheres.%u.friction=0", s);
-}
-
-static void restitution(const World* world, Overrides* sets) {
-    for (unsigned s = 0; s < world->def.spheres_count; s++)
-        if (world->def.spheres[s].restitution > 0)
-            overrides_add(sets, "spheres.%u.restitution=0", s);
-}
-
-static void pipes(const World* world, Overrides* sets) {
-    if (world->def.pipes_count > 0)
-        overrides_add(sets, "pipes=[]");
-}
-
-// --- the skin ------------------------------------------------------------------------------------
-
-/// A number of every balloon that has one is 0. A skin keeps one kind of spring.
-#define WITHOUT(name, object, field, key)                                                          \
-    static void name(const World* world, Overrides* sets) {                                        \
-        for (unsigned b = 0; b < world->def.balloons_count; b++) {                                 \
-            const BalloonDef* balloon = &world->def.balloons[b];                                   \
-            if (balloon->object && balloon->object->field != 0)                                    \
-                overrides_add(sets, "balloons.%u." key "=0", b);                                   \
-        }                                                                                          \
-    }
-WITHOUT(structural, skin.springs, structural, "skin.springs.structural")
-WITHOUT(shear, skin.springs, shear, "skin.springs.shear")
-WITHOUT(flexion, skin.springs, flexion, "skin.springs.flexion")
-WITHOUT(torsion, skin.springs, torsion, "skin.springs.torsion")
-WITHOUT(mooney, skin.membrane, mooney, "skin.membrane.mooney")
-WITHOUT(leak, inflation, leak, "inflation.leak")
-WITHOUT(per_inflation, helium, per_inflation, "helium.per_inflation")
-
-/// A key of every balloon that has it is taken out.
-#define KEYLESS(name, object, key)                                                                 \
-    static void name(const World* world, Overrides* sets) {                                        \
-        for (unsigned b = 0; b < world->def.balloons_count; b++)                                   \
-            if (world->def.balloons[b].object)                                                     \
-                overrides_add(sets, "balloons.%u." key "=~", b);                                   \
-    }
-KEYLESS(inflation, inflation, "inflation")
-KEYLESS(helium, helium, "helium")
-KEYLESS(damping, damping, "damping")
-KEYLESS(correction, correction, "correction")
-KEYLESS(strings, strings_count, "strings")
-KEYLESS(hold_rim, hold_rim, "hold_rim")
-
-/// A key below one that every balloon may have.
-#define KEYLESS_BELOW(name, object, field, key)                                                    \
-    static void name(const World* world, Overrides* sets) {                                        \
-        for (unsigned b = 0; b < world->def.balloons_count; b++) {                                 \
-            const BalloonDef* balloon = &world->def.balloons[b];                                   \
-            if (balloon->object && balloon->object->field)                                         \
-                overrides_add(sets, "balloons.%u." key "=~", b);                                   \
-        }                                                                                          \
-    }
-KEYLESS_BELOW(patches, skin.membrane, patches_count, "skin.membrane.patches")
-KEYLESS_BELOW(global_volume, skin.membrane, volume, "skin.membrane.volume")
-KEYLESS_BELOW(adiabatic, inflation, adiabatic, "inflation.adiabatic")
-KEYLESS_BELOW(filling, inflation, filling, "inflation.filling")
-KEYLESS_BELOW(tarantino, correction, tarantino, "correction.tarantino")
-
-/// One kind of several; the only one is the correction itself.
-#define CORRECTED(name, field, one, two)                                                           \
-    static void name(const World* world, Overrides* sets) {                                        \
-        for (unsigned b = 0; b < world->def.balloons_count; b++) {                                 \
-            const CorrectionDef* correct = world->def.balloons[b].correction;                      \
-            if (correct && correct->field > 0 && correct->one + correct->two > 0)                  \
-                overrides_add(sets, "balloons.%u.correction." #field "=0", b);                     \
-        }                                                                                          \
-    }
-CORRECTED(correct_structural, structural, shear, flexion)
-CORRECTED(correct_shear, shear, structural, flexion)
-CORRECTED(correct_flexion, flexion, structural, shear)
 
 static double mass_of(const Body* body) {
     double sum = 0;
@@ -184,44 +92,152 @@ static void precision(const World* world, Overrides* sets) {
 }
 
 // clang-format off
-const NeedsPart needs_part_table[] = {
-    {"gravity",     "without it",                        gravity},
-    {"floor",       "without it",                        the_floor},
-    {"walls",       "without them",                      walls},
-    {"spheres",     "without them",                      spheres},
-    {"friction",    "without it",                        friction},
-    {"restitution", "without it",                        restitution},
-    {"pipes",       "without them",                      pipes},
-    {"membrane",    "springs with rubber's law",         membrane},
-    {"structural",  "without these springs",             structural},
-    {"shear",       "without these springs",             shear},
-    {"flexion",     "without these springs",             flexion},
-    {"torsion",     "without these springs",             torsion},
-    {"mooney",      "neo-Hookean rubber",                mooney},
-    {"patches",     "one thickness",                     patches},
-    {"volume",      "each element keeps its own",        global_volume},
-    {"inflation",   "without it",                        inflation},
-    {"law",         "the pressure of the first size",    law},
-    {"adiabatic",   "at one temperature",                adiabatic},
-    {"filling",     "a gas without weight and lift",     filling},
-    {"leak",        "without it",                        leak},
-    {"helium",      "without its lift",                  helium},
-    {"per_inflation", "lift that does not grow",         per_inflation},
-    {"damping",     "without it",                        damping},
-    {"correction",  "without it",                        correction},
-    {"correction.structural", "these springs are free",  correct_structural},
-    {"correction.shear",      "these springs are free",  correct_shear},
-    {"correction.flexion",    "these springs are free",  correct_flexion},
-    {"tarantino",   "corrected springs go on pulling",   tarantino},
-    {"strings",     "untied",                            strings},
-    {"hold_rim",    "the rim moves",                     hold_rim},
-    {"mesh",        "half as many edges each way",       mesh},
-    {"step",        "twice as long",                     step},
-    {"precision",   "float",                             precision},
+static const NeedsPart part_table[] = {
+    {"gravity",     "without it",                        .simplify = gravity},
+    {"floor",       "without it",                        .key = "floor"},
+    {"walls",       "without them",                      .key = "walls"},
+    {"spheres",     "without them",                      .key = "spheres"},
+    {"friction",    "without it",                        .key = "spheres.*.friction"},
+    {"restitution", "without it",                        .key = "spheres.*.restitution"},
+    {"pipes",       "without them",                      .key = "pipes"},
+    {"membrane",    "springs with rubber's law",         .simplify = membrane},
+    {"structural",  "without these springs",             .key = "balloons.*.skin.springs.structural"},
+    {"shear",       "without these springs",             .key = "balloons.*.skin.springs.shear"},
+    {"flexion",     "without these springs",             .key = "balloons.*.skin.springs.flexion"},
+    {"torsion",     "without these springs",             .key = "balloons.*.skin.springs.torsion"},
+    {"patches",     "one thickness",                     .key = "balloons.*.skin.membrane.patches"},
+    {"volume",      "each element keeps its own",        .key = "balloons.*.skin.membrane.volume"},
+    {"inflation",   "without it",                        .key = "balloons.*.inflation"},
+    {"law",         "the pressure of the first size",    .simplify = law},
+    {"adiabatic",   "at one temperature",                .key = "balloons.*.inflation.adiabatic"},
+    {"filling",     "a gas without weight and lift",     .key = "balloons.*.inflation.filling"},
+    {"leak",        "without it",                        .key = "balloons.*.inflation.leak"},
+    {"correction",  "without it",                        .key = "balloons.*.correction"},
+    {"correction.structural", "these springs are free",  .key = "balloons.*.correction.structural", .several = true},
+    {"correction.shear",      "these springs are free",  .key = "balloons.*.correction.shear", .several = true},
+    {"correction.flexion",    "these springs are free",  .key = "balloons.*.correction.flexion", .several = true},
+    {"tarantino",   "corrected springs go on pulling",   .key = "balloons.*.correction.tarantino"},
+    {"strings",     "untied",                            .key = "balloons.*.strings"},
+    {"hold_rim",    "the rim moves",                     .key = "balloons.*.hold_rim"},
+    {"mesh",        "half as many edges each way",       .simplify = mesh},
+    {"step",        "twice as long",                     .simplify = step},
+    {"precision",   "float",                             .simplify = precision},
 };
 // clang-format on
-const int needs_part_count = sizeof needs_part_table / sizeof *needs_part_table;
+enum { PARTS = sizeof part_table / sizeof *part_table };
 
-const NeedsPart* needs_part_find(const char* name) {
-    return table_row_of(needs_part_table, needs_part_count, sizeof *needs_part_table, name);
+// --- forces and materials ------------------------------------------------------------------------
+
+static NeedsPart part_without(const char* path, const char* name, const char* parameter) {
+    NeedsPart part = {.instead = "without it", .several = parameter != NULL};
+    const char* dot = parameter ? "." : "";
+    snprintf(part.name, sizeof part.name, "%s%s%s", name, dot, parameter ? parameter : "");
+    snprintf(part.key, sizeof part.key, "%s%s", path, part.name);
+    return part;
+}
+
+/// Each force that has parameters, and each of those where it has several at once.
+static bool part_of_force(int index, NeedsPart* part) {
+    for (int k = 0; k < force_count; k++) {
+        const Force* force = force_table[k];
+        const int alone = force->exclusive || force->parameter_count == 1;
+        const int parts = force->parameter_count == 0 ? 0 : alone ? 1 : 1 + force->parameter_count;
+        if (index < parts) {
+            *part = part_without("balloons.*.", force->name,
+                                 index > 0 ? force->parameters[index - 1].name : NULL);
+            return true;
+        }
+        index -= parts;
+    }
+    return false;
+}
+
+/// Whether a material before row m has a parameter of this name.
+static bool is_named_before(int m, const char* name) {
+    while (--m >= 0)
+        if (material_parameter(material_table[m], name))
+            return true;
+    return false;
+}
+
+/// Each parameter of a material that does nothing where it is 0.
+static bool part_of_material(int index, NeedsPart* part) {
+    for (int m = 0; m < material_count; m++)
+        for (int p = 0; p < material_table[m]->parameter_count; p++) {
+            const Parameter* parameter = &material_table[m]->parameters[p];
+            if (parameter->default_value != 0 || is_named_before(m, parameter->name) || index-- > 0)
+                continue;
+            *part = part_without("balloons.*.skin.membrane.", parameter->name, NULL);
+            return true;
+        }
+    return false;
+}
+
+static int parts_of_forces(void) {
+    NeedsPart part;
+    int count = 0;
+    while (part_of_force(count, &part))
+        count++;
+    return count;
+}
+
+bool needs_part_at(int index, NeedsPart* part) {
+    const int forces = parts_of_forces();
+    if (index >= PARTS)
+        return index < PARTS + forces ? part_of_force(index - PARTS, part)
+                                      : part_of_material(index - PARTS - forces, part);
+    *part = part_table[index];
+    return true;
+}
+
+bool needs_part_exists(const char* name) {
+    NeedsPart part;
+    for (int k = 0; needs_part_at(k, &part); k++)
+        if (strcmp(part.name, name) == 0)
+            return true;
+    return false;
+}
+
+// --- what a key's part overrides -----------------------------------------------------------------
+
+/// Numbers beside one of a mapping that are not 0.
+typedef struct Siblings {
+    const char* path;
+    size_t length; ///< of the mapping's path and its dot
+    int count;
+} Siblings;
+
+static void count_sibling(const KeyValue* value, void* context) {
+    Siblings* siblings = context;
+    siblings->count += strncmp(value->path, siblings->path, siblings->length) == 0 &&
+                       !strchr(value->path + siblings->length, '.') && value->present &&
+                       isfinite(value->number);
+}
+
+static bool is_one_of_several(const WorldDef* def, const char* path) {
+    Siblings siblings = {path, (size_t)(strrchr(path, '.') + 1 - path), 0};
+    key_each_value(def, count_sibling, &siblings);
+    return siblings.count > 1;
+}
+
+typedef struct Removal {
+    const NeedsPart* part;
+    const WorldDef* def;
+    Overrides* sets;
+} Removal;
+
+static void remove_value(const KeyValue* value, void* context) {
+    const Removal* removal = context;
+    const NeedsPart* part = removal->part;
+    if (!value->present || strcmp(value->pattern, part->key) != 0 ||
+        (part->several && !is_one_of_several(removal->def, value->path)))
+        return;
+    overrides_add(removal->sets, "%s=%s", value->path, value->key->type == KEY_NUMBER ? "0" : "~");
+}
+
+void needs_part_simplify(const NeedsPart* part, const World* world, Overrides* sets) {
+    if (part->simplify)
+        part->simplify(world, sets);
+    else
+        key_each_value(&world->def, remove_value, &(Removal){part, &world->def, sets});
 }

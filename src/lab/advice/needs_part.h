@@ -7,18 +7,28 @@
 #include "world/world.h"
 
 typedef struct NeedsPart {
-    const char* name;
+    char name[64];
     const char* instead; ///< what is run: "without it", "half as many points each way"
+
+    /// A key whose values are made 0, or are removed where they are no numbers: "balloons.*.helium";
+    /// "": what `simplify` does.
+    char key[64];
 
     /// Fill the overrides; none where the scene does not have this part. The world is open and has
     /// made no step.
     void (*simplify)(const World* world, Overrides* sets);
+
+    bool several; ///< only where another number of that key's mapping is not 0 either
 } NeedsPart;
 
-extern const NeedsPart needs_part_table[];
-extern const int needs_part_count;
+/// Part `index` of the table, after which come the forces and the parameters that can be 0; false
+/// after the last.
+bool needs_part_at(int index, NeedsPart* part);
 
-/// Row by name, or NULL.
-const NeedsPart* needs_part_find(const char* name);
+/// The overrides that take a part out of a scene; none where it does not have it.
+void needs_part_simplify(const NeedsPart* part, const World* world, Overrides* sets);
+
+/// Whether there is a part of this name.
+bool needs_part_exists(const char* name);
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "mesh/load.h"
 #include "mesh/shape.h"
+#include "scene/key.h"
 
 enum { NAME_MOST = 96 };
 
@@ -50,6 +51,20 @@ static bool is_tied_by_number(const BalloonDef* balloon) {
     return false;
 }
 
+/// Overrides of a balloon's numbers that are of each particle.
+typedef struct Shares {
+    Overrides* sets;
+    char balloon[32]; ///< its path, with a dot
+    double share;     ///< particles before over particles after [1]
+} Shares;
+
+static void share_number(const KeyValue* value, void* context) {
+    const Shares* shares = context;
+    if (value->key->is.per_particle && value->number > 0 &&
+        strncmp(value->path, shares->balloon, strlen(shares->balloon)) == 0)
+        overrides_add(shares->sets, "%s=%.17g", value->path, shares->share * value->number);
+}
+
 bool refinement_add(const World* world, int level, Overrides* sets) {
     const int before = sets->count;
     for (unsigned b = 0; b < world->def.balloons_count; b++) {
@@ -57,14 +72,11 @@ bool refinement_add(const World* world, int level, Overrides* sets) {
         char name[NAME_MOST];
         if (is_tied_by_number(balloon) || !name_at(balloon->model, level, name))
             continue;
-        const double share = (double)world->balloon[b].body.count / points_of(name);
-        overrides_add(sets, "balloons.%u.model=%s", b, name);
-        if (balloon->mass)
-            overrides_add(sets, "balloons.%u.mass.per_particle=%.17g", b,
-                          share * balloon->mass->per_particle);
-        if (balloon->damping && balloon->damping->coefficient > 0)
-            overrides_add(sets, "balloons.%u.damping.coefficient=%.17g", b,
-                          share * balloon->damping->coefficient);
+        Shares shares = {.sets = sets,
+                         .share = (double)world->balloon[b].body.count / points_of(name)};
+        snprintf(shares.balloon, sizeof shares.balloon, "balloons.%u.", b);
+        overrides_add(sets, "%smodel=%s", shares.balloon, name);
+        key_each_value(&world->def, share_number, &shares);
     }
     return sets->count > before;
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "force/force.h"
 
 /// A step that newton solves takes too long of a frame above this, and theory knows no limit of it.
 enum { SOLVED_MOST = 700 }; ///< [particles]
@@ -100,8 +101,9 @@ static void strip(const Map* map, MapSets* sets) {
     add(sets, "gravity=0");
     if (map->def.rest > 0)
         add(sets, "rest=0");
-    if (balloon->helium)
-        add(sets, "balloons.0.helium=~");
+    for (int k = 0; k < force_count; k++)
+        if (balloon->force[k] && force_table[k]->external && force_table[k]->energy)
+            add(sets, "balloons.0.%s=~", force_table[k]->name);
     if (balloon->strings_count > 0)
         add(sets, "balloons.0.strings=~");
     if (balloon->correction)
