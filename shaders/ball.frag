@@ -1,5 +1,5 @@
-// Polished and opaque: the ray from the eye meets the ball, and alpha is the part of the pixel
-// that the ball covers.
+// An opaque glossy ball: intersects the ray from the eye with the ball; alpha is the fraction of
+// the pixel that the ball covers.
 flat in vec3 center;
 flat in float radius;
 flat in vec3 tint;
@@ -10,7 +10,7 @@ void main() {
     vec3 ray = normalize(world - eye.xyz);
     vec3 to = center - eye.xyz;
     float along = dot(to, ray);
-    float miss = length(to - along * ray); // distance of the ray from the middle
+    float miss = length(to - along * ray); // distance of the ray from the center
     float covered = clamp((radius - miss) / (size.z * along) + 0.5, 0.0, 1.0);
     if (covered == 0.0)
         discard;

@@ -1,4 +1,4 @@
-// A square across the ball's outline as the eye sees it.
+// A square that covers the ball's outline as seen from the eye.
 layout(location = 0) in vec3 ball_center;
 layout(location = 1) in float ball_radius;
 layout(location = 2) in vec3 ball_color;
@@ -13,8 +13,8 @@ void main() {
     radius = ball_radius;
     tint = ball_color;
 
-    // the cone of sight touches the ball on a circle a little before its middle; a pixel is added
-    // for the soft edge
+    // the tangent cone from the eye touches the ball on a circle in front of its center; 1.5 pixels
+    // are added for the antialiased edge
     vec3 to = center - eye.xyz;
     float away = max(length(to), 1.001 * radius);
     vec3 w = to / away;

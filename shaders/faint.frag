@@ -1,4 +1,4 @@
-// A pale shape: clear where it faces the eye, a soft contour where it turns away.
+// A pale shape: translucent where it faces the eye, denser toward its outline.
 in vec3 normal;
 in float polish;
 in vec3 light;

@@ -1,4 +1,4 @@
-// A matt surface in the colours of a field: only enough shading for its shape to be read.
+// A matt surface in the colors of a field, without reflections.
 in vec3 normal;
 in float polish;
 in vec3 light;

@@ -1,5 +1,5 @@
-// A square of floor, wide enough to have faded into the backdrop at its edge. Seen from below it
-// would hide the scene, so it is then left out.
+// A square of floor, so wide that its edge has faded into the backdrop. An eye below the floor would
+// not see the scene, so the square is then moved out of the clip volume.
 out vec3 world;
 
 const float REACH = 16.0; // scene radii

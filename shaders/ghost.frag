@@ -1,4 +1,4 @@
-// The skin of a second copy of the scene: a veil where it faces the eye, a contour where it turns away.
+// The skin of a second copy of the scene: faint where it faces the eye, dense toward its outline.
 in vec3 normal;
 out vec4 color;
 

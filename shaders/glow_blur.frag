@@ -1,4 +1,4 @@
-// One axis of a blur: wide in red, for the glow, and narrow in green, for where the shape is.
+// A Gaussian blur along one axis: wide in red, for the glow; narrow in green, for the shape's mask.
 uniform sampler2D shape;
 uniform vec2 direction; // one pixel along the axis
 

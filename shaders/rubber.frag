@@ -1,4 +1,4 @@
-// Glossy rubber: a mirror of the studio over a matt and slightly see-through skin.
+// Glossy rubber: a mirror of the studio over a matt and slightly translucent skin.
 in vec3 normal;
 in float polish;
 in vec3 light;
@@ -12,13 +12,13 @@ void main() {
     n *= sign(facing);
     facing = abs(facing);
 
-    // a sharp mirror and a broad sheen of the key light
+    // a sharp reflection, and a broad sheen of the key light
     vec3 r = 2.0 * facing * n - v;
     float near_key = max(dot(r, KEY.toward), 0.0);
     float sheen = near_key * near_key * near_key;
     vec3 gloss = polish * (fresnel(facing) * mirrored(r) + 0.09 * sheen * sheen);
 
-    // a little see-through at the rim; what shines does not let through
+    // slightly translucent toward the outline; highlights are opaque
     float k = 1.0 - facing;
     float hides = solid * (1.0 - 0.30 * k * k * k);
     hides = mix(hides, 1.0, clamp(gloss.g, 0.0, 0.9));

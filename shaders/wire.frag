@@ -1,4 +1,4 @@
-// A thin round wire: brightest along its middle.
+// A thin round wire: brightest along its center line.
 in vec3 tint;
 in float across;
 out vec4 color;

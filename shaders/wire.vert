@@ -1,4 +1,4 @@
-// A line as four corners round its two ends, all at one distance from the line in pixels.
+// A line as a quad of constant width in pixels.
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec3 color;
@@ -7,7 +7,7 @@ layout(location = 3) in float width;
 out vec3 tint;
 out float across; // -1 … 1
 
-// A line that lies on a skin is moved this part of its distance towards the eye.
+// Offset of all lines toward the eye, for those that lie on a skin. [of the distance]
 const float LIFT = 0.004;
 
 vec4 clip(vec3 p) {
@@ -17,12 +17,12 @@ vec4 clip(vec3 p) {
 void main() {
     vec4 a = clip(from), b = clip(to);
 
-    // an end behind the eye is moved along the line to just before it
-    float least = 1e-3 * ground.z;
-    if (a.w < least && b.w > least)
-        a = mix(b, a, (b.w - least) / (b.w - a.w));
-    if (b.w < least && a.w > least)
-        b = mix(a, b, (a.w - least) / (a.w - b.w));
+    // an end behind the eye is clipped to a point in front of it
+    float near = 1e-3 * ground.z;
+    if (a.w < near && b.w > near)
+        a = mix(b, a, (b.w - near) / (b.w - a.w));
+    if (b.w < near && a.w > near)
+        b = mix(a, b, (a.w - near) / (a.w - b.w));
 
     vec2 pixels = size.xy * 0.5;
     vec2 along = (b.xy / b.w - a.xy / a.w) * pixels;

@@ -32,7 +32,7 @@ void balls_draw(const Balls* balls) {
     glUseProgram(balls->program);
     glBindVertexArray(balls->array);
 
-    // the part of a pixel that a ball covers goes to as many of its samples
+    // alpha is the fraction of the pixel that the ball covers: it selects as many samples
     glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, balls->count);
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);

@@ -1,5 +1,5 @@
-/// Glossy balls, each one quad that faces the eye: the fragment shader finds where the ray through
-/// its pixel meets the ball, so a ball is round at any size and costs two triangles.
+/// Glossy balls. Each is one quad that faces the eye; the fragment shader intersects the ray through
+/// its pixel with the ball, so a ball is round at any size and costs two triangles.
 #ifndef BALLOON_DRAW_BALLS_H
 #define BALLOON_DRAW_BALLS_H
 

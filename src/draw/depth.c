@@ -2,7 +2,7 @@
 
 enum { DIGIT = 8, BUCKETS = 1 << DIGIT, STEPS = 65535 };
 
-// One pass of a radix sort, stable, on the digit of the key that starts at this bit.
+// One stable pass of a radix sort, by the digit of the key that starts at this bit.
 static void pass(const uint64_t* from, int count, int bit, uint64_t* to) {
     int start[BUCKETS + 1] = {0};
     for (int i = 0; i < count; i++)
@@ -22,7 +22,7 @@ void depth_sort(const float* depth, int count, int* order, uint64_t* scratch) {
         far = depth[i] > far ? depth[i] : far;
     }
 
-    // a 16-bit key above the index: 0 is farthest
+    // the high word is a 16-bit key, 0 for the farthest; the low word is the index
     const float scale = far > near ? STEPS / (far - near) : 0;
     for (int i = 0; i < count; i++)
         scratch[i] = (uint64_t)(scale * (far - depth[i])) << 32 | (uint64_t)i;

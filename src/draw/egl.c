@@ -9,7 +9,7 @@
 
 // clang-format off
 static const EGLint CONFIG[] = {
-    EGL_SURFACE_TYPE,    EGL_DONT_CARE, // no surface is ever made from it
+    EGL_SURFACE_TYPE,    EGL_DONT_CARE, // no surface is made
     EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
     EGL_NONE,
 };
@@ -55,7 +55,7 @@ static bool fail(Egl* egl, Fault* fault, const char* call) {
 bool egl_open_surfaceless(Egl* egl, Fault* fault) {
     *egl = (Egl){.display = EGL_NO_DISPLAY, .surface = EGL_NO_SURFACE, .context = EGL_NO_CONTEXT};
 
-    // the surfaceless platform needs neither X nor a screen; the default display would
+    // the surfaceless platform needs neither X nor a screen, unlike the default display
     egl->display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     if (egl->display == EGL_NO_DISPLAY)
         return fail(egl, fault, "eglGetPlatformDisplay");
@@ -84,8 +84,8 @@ void egl_close_surfaceless(Egl* egl) {
     if (egl->context != EGL_NO_CONTEXT)
         eglDestroyContext(egl->display, egl->context);
 
-    // the display stays open until the process ends: closing it unloads Mesa's driver, which
-    // forgets what it still holds, and leak checkers then blame code that is no longer there
+    // the display stays open until the process ends: closing it unloads Mesa's driver with memory
+    // still allocated, and leak checkers then report addresses in unloaded code
     eglReleaseThread();
     *egl = (Egl){.display = EGL_NO_DISPLAY, .surface = EGL_NO_SURFACE, .context = EGL_NO_CONTEXT};
 }

@@ -1,5 +1,5 @@
-/// The studio: a floor with the soft shadow of all that is above it, which fades into the backdrop
-/// far away, so that no horizon is seen.
+/// The studio: a floor with the soft shadow of everything above it, and a backdrop. In the distance
+/// the floor fades into the backdrop, so that no horizon is visible.
 #ifndef BALLOON_DRAW_FLOOR_H
 #define BALLOON_DRAW_FLOOR_H
 
@@ -8,17 +8,17 @@
 #include "draw/shadow.h"
 
 typedef struct Floor {
-    long stamp;             ///< stamp of the picture whose shadow it is
+    long stamp;             ///< stamp of the picture that cast the shadow
     GLuint floor, backdrop; ///< programs
-    GLuint empty;           ///< vertex array without attributes: shaders make the corners
+    GLuint empty;           ///< vertex array without attributes: shaders compute the corners
     GLuint texture;         ///< the shadow map
     Shadow shadow;
 } Floor;
 
 bool floor_open(Floor* floor, const char* shader_dir, Fault* fault);
-/// Cast the picture's shadow and hand it to the driver; nothing without a floor.
+/// Compute the picture's shadow and upload it, if the picture has a floor.
 void floor_upload(Floor* floor, const Picture* picture);
-/// Fill all pixels that nothing has been drawn on.
+/// Fill all pixels that are still empty: floor, then backdrop.
 void floor_draw(const Floor* floor, const Picture* picture);
 void floor_close(Floor* floor);
 

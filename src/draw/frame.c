@@ -16,9 +16,9 @@ static void multiply(const float a[16], const float b[16], float c[16]) {
         }
 }
 
-// The picture as a window one unit before the eye.
-static void place_window(FrameBlock* block, const float view[16], float half, float width,
-                         float height) {
+// The picture as a rectangle at distance 1 in front of the eye.
+static void set_image_plane(FrameBlock* block, const float view[16], float half, float width,
+                            float height) {
     const float pixel = 2 * half / height;
     for (int i = 0; i < 3; i++) {
         // the rows of the view's rotation are the camera's axes in the world
@@ -39,7 +39,7 @@ FrameBlock frame_block(const Picture* picture, int width, int height) {
     camera_projection(camera, (float)width / (float)height, projection);
     multiply(projection, view, block.view_projection);
     camera_eye(camera, block.eye);
-    place_window(&block, view, tanf(0.5f * camera->field), (float)width, (float)height);
+    set_image_plane(&block, view, tanf(0.5f * camera->field), (float)width, (float)height);
 
     const float x = picture->scene_center[0], z = picture->scene_center[2];
     memcpy(block.ground, (float[]){x, z, picture->scene_radius, picture->floor_height},

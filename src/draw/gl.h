@@ -1,5 +1,4 @@
-/// OpenGL 3.3 core, its functions as plain prototypes: they come from libOpenGL, no loader. And one
-/// shorthand.
+/// OpenGL 3.3 core with plain prototypes: libOpenGL exports the functions, no loader is needed.
 #ifndef BALLOON_DRAW_GL_H
 #define BALLOON_DRAW_GL_H
 
@@ -8,14 +7,14 @@
 #define GL_GLEXT_PROTOTYPES
 #include <GL/glcorearb.h>
 
-/// Attribute `index` of the vertex array and buffer that are bound: `size` floats at `offset` of a
-/// struct of `stride` bytes, the next struct for every vertex.
+/// Set attribute `index` of the bound vertex array from the bound buffer: `size` floats at `offset`
+/// of a struct of `stride` bytes; one struct for each vertex.
 static inline void gl_attribute(GLuint index, int size, size_t stride, size_t offset) {
     glEnableVertexAttribArray(index);
     glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void*)offset);
 }
 
-/// … the next struct for every instance.
+/// The same with one struct for each instance.
 static inline void gl_instanced(GLuint index, int size, size_t stride, size_t offset) {
     gl_attribute(index, size, stride, offset);
     glVertexAttribDivisor(index, 1);

@@ -44,31 +44,31 @@ bool renderer_open(Renderer** renderer, int width, int height, const char* shade
     if (!version_suffices(fault))
         return false;
 
-    Renderer* made = new_array(Renderer, 1);
-    made->target = target_open(width, height);
-    made->frame = frame_open();
-    const bool opened = floor_open(&made->floor, shader_dir, fault) &&
-                        balls_open(&made->balls, shader_dir, fault) &&
-                        wires_open(&made->wires, shader_dir, fault) &&
-                        skins_open(&made->skins, shader_dir, fault) &&
-                        glow_open(&made->glow, width, height, shader_dir, fault);
+    Renderer* new_renderer = new_array(Renderer, 1);
+    new_renderer->target = target_open(width, height);
+    new_renderer->frame = frame_open();
+    const bool opened = floor_open(&new_renderer->floor, shader_dir, fault) &&
+                        balls_open(&new_renderer->balls, shader_dir, fault) &&
+                        wires_open(&new_renderer->wires, shader_dir, fault) &&
+                        skins_open(&new_renderer->skins, shader_dir, fault) &&
+                        glow_open(&new_renderer->glow, width, height, shader_dir, fault);
     if (!opened) {
-        renderer_close(made);
+        renderer_close(new_renderer);
         return false;
     }
-    *renderer = made;
+    *renderer = new_renderer;
     return true;
 }
 
 void renderer_resize(Renderer* renderer, int width, int height) {
-    // a window that is folded away has no pixels; a framebuffer needs one
+    // a minimized window has no pixels; a framebuffer needs at least one
     width = width > 0 ? width : 1;
     height = height > 0 ? height : 1;
     target_resize(&renderer->target, width, height);
     glow_resize(&renderer->glow, width, height);
 }
 
-// The picture's arrays to the driver; returns the time that the floor's shadow took of it.
+// Upload the picture's arrays; returns the part of the time that the floor's shadow took [ms].
 static double upload(Renderer* renderer, const Picture* picture) {
     const FrameBlock block = frame_block(picture, renderer->target.width, renderer->target.height);
     frame_write(renderer->frame, &block);
@@ -87,24 +87,24 @@ static void draw_opaque(const Renderer* renderer, const Picture* picture) {
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
 
-    // what hides most comes first, so that hidden pixels are never shaded
+    // large objects first, so that pixels behind them are not shaded
     skins_draw(&renderer->skins, PAINT_FIELD);
     balls_draw(&renderer->balls);
     wires_draw(&renderer->wires);
     floor_draw(&renderer->floor, picture);
 }
 
-static void draw_see_through(const Renderer* renderer) {
+static void draw_translucent(const Renderer* renderer) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 
-    // skins veil the lines behind them and leave their depth for those on top
+    // skins blend over the lines behind them and write depth; lines in front are drawn again
     skins_draw(&renderer->skins, PAINT_RUBBER);
     skins_draw(&renderer->skins, PAINT_FAINT);
-    if (skins_veil(&renderer->skins))
+    if (skins_have_translucent(&renderer->skins))
         wires_draw(&renderer->wires);
 
-    // a ghost is seen through everything, and hides nothing
+    // a ghost is visible through everything and hides nothing
     glDisable(GL_DEPTH_TEST);
     skins_draw(&renderer->skins, PAINT_GHOST);
     glEnable(GL_DEPTH_TEST);
@@ -117,7 +117,7 @@ void renderer_draw(Renderer* renderer, const Picture* picture) {
     const double uploaded = now();
     target_begin(&renderer->target);
     draw_opaque(renderer, picture);
-    draw_see_through(renderer);
+    draw_translucent(renderer);
 
     const double drawn = now();
     target_resolve(&renderer->target);

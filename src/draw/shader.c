@@ -7,16 +7,16 @@
 
 #include "draw/frame.h"
 
-enum { PATH = 512, PARTS = 3 };
+enum { PATH = 512, FILES = 3 };
 
-/// One shader as the driver compiles it: the version line, then parts, each a file.
+/// The source of one shader: a version line, then the text of several files.
 typedef struct Source {
     int count;
-    char path[PARTS][PATH];
-    char* text[PARTS];
+    char path[FILES][PATH];
+    char* text[FILES];
 } Source;
 
-// The whole file behind a #line directive that names it by its number in compiler messages.
+// The text of a file after a #line directive, so that compiler messages name the file by `number`.
 static char* read_file(const char* path, int number, Fault* fault) {
     FILE* file = fopen(path, "rb");
     if (!file) {
@@ -31,8 +31,8 @@ static char* read_file(const char* path, int number, Fault* fault) {
     if (text) {
         rewind(file);
         const int head = sprintf(text, "#line 1 %d\n", number);
-        const size_t got = fread(text + head, 1, (size_t)size, file);
-        text[head + (int)got] = 0;
+        const size_t length = fread(text + head, 1, (size_t)size, file);
+        text[head + (int)length] = 0;
     } else {
         fault_set(fault, path, "cannot read this shader");
     }
@@ -47,21 +47,21 @@ static bool append(Source* source, const char* dir, const char* name, Fault* fau
     return source->text[i] != NULL;
 }
 
-// Mesa says "2:17(5): error: …", others "2(17) : error …": part, line, sentence.
+// Mesa prints "2:17(5): error: …", other drivers "2(17) : error …": file number, line, message.
 static void compile_fault(GLuint shader, const Source* source, Fault* fault) {
     char log[1024] = "";
     glGetShaderInfoLog(shader, sizeof log, NULL, log);
 
-    int part = 0, line = 0;
-    if (sscanf(log, "%d:%d", &part, &line) != 2 && sscanf(log, "%d(%d)", &part, &line) != 2)
-        part = source->count - 1;
-    if (part < 0 || part >= source->count)
-        part = source->count - 1;
-    fault_at(fault, source->path[part], line, "%s", log);
+    int number = 0, line = 0;
+    if (sscanf(log, "%d:%d", &number, &line) != 2 && sscanf(log, "%d(%d)", &number, &line) != 2)
+        number = source->count - 1;
+    if (number < 0 || number >= source->count)
+        number = source->count - 1;
+    fault_at(fault, source->path[number], line, "%s", log);
 }
 
 static GLuint compile(GLenum stage, const Source* source, Fault* fault) {
-    const char* text[PARTS + 1] = {"#version 330 core\n"};
+    const char* text[FILES + 1] = {"#version 330 core\n"};
     for (int i = 0; i < source->count; i++)
         text[i + 1] = source->text[i];
 
@@ -90,7 +90,7 @@ static GLuint stage_load(GLenum stage, const char* dir, const char* name, Fault*
     return shader;
 }
 
-static GLuint link_stages(GLuint vertex, GLuint fragment, const char* place, Fault* fault) {
+static GLuint link_stages(GLuint vertex, GLuint fragment, const char* file, Fault* fault) {
     const GLuint program = glCreateProgram();
     glAttachShader(program, vertex);
     glAttachShader(program, fragment);
@@ -101,7 +101,7 @@ static GLuint link_stages(GLuint vertex, GLuint fragment, const char* place, Fau
     if (!linked) {
         char log[1024] = "";
         glGetProgramInfoLog(program, sizeof log, NULL, log);
-        fault_set(fault, place, "shaders do not link: %s", log);
+        fault_set(fault, file, "shaders do not link: %s", log);
         glDeleteProgram(program);
         return 0;
     }
@@ -113,12 +113,12 @@ static GLuint link_stages(GLuint vertex, GLuint fragment, const char* place, Fau
 }
 
 GLuint shader_load(const char* dir, const char* vertex, const char* fragment, Fault* fault) {
-    const GLuint above = stage_load(GL_VERTEX_SHADER, dir, vertex, fault);
-    const GLuint below = above ? stage_load(GL_FRAGMENT_SHADER, dir, fragment, fault) : 0;
-    const GLuint program = below ? link_stages(above, below, fragment, fault) : 0;
+    const GLuint first = stage_load(GL_VERTEX_SHADER, dir, vertex, fault);
+    const GLuint second = first ? stage_load(GL_FRAGMENT_SHADER, dir, fragment, fault) : 0;
+    const GLuint program = second ? link_stages(first, second, fragment, fault) : 0;
 
-    // the program keeps what it needs of them; 0 is ignored
-    glDeleteShader(above);
-    glDeleteShader(below);
+    // a linked program does not need its shaders; glDeleteShader ignores 0
+    glDeleteShader(first);
+    glDeleteShader(second);
     return program;
 }

@@ -7,22 +7,22 @@
 #include "base/real.h"
 #include "base/memory.h"
 
-// Towards the middle of the key light, over its height: shaders/studio.glsl has the same box.
+// Direction to the center of the key light, x and z for y = 1; the same as KEY in studio.glsl.
 static const float KEY_X = -0.45f, KEY_Z = 0.35f;
-// Half-mass radius of a shadow over the height of what casts it: all of the sky, a soft box.
+// Half-mass radius of a shadow over the height of its caster: under the sky, under the soft box.
 static const float SKY_SPREAD = 1.0f, KEY_SPREAD = 0.28f;
-// How much of the floor's light each gives; together a contact shadow lets exp(-1.7) through.
+// Optical depth of a layer in contact with the floor, from each light: exp(-1.7) passes both.
 static const float SKY_SHARE = 0.8f, KEY_SHARE = 0.9f;
-// Part of the light of its own colour that rubber lets through.
-static const float THROUGH = 0.55f;
-// What a faint shape takes of what rubber takes.
+// Transmission of rubber for light of its own color.
+static const float TRANSMISSION = 0.55f;
+// Absorption of a faint shape over that of rubber.
 static const float FAINT = 0.35f;
 // Half-mass radius of one B-spline bump in spacings of its grid.
 static const float BUMP = 0.8f;
-// A large triangle is cast in pieces; more than these squared would not be seen.
+// A large triangle is split along each side into at most so many pieces.
 enum { PIECES = 12 };
 
-// What all pieces of one picture share.
+// Data that all pieces of one picture share.
 typedef struct Cast {
     Shadow* shadow;
     float corner_x, corner_z, floor;
@@ -75,7 +75,8 @@ static void bump(const Cast* cast, float x, float z, float radius, float4 amount
     splat(cast->shadow->level[level + 1], level + 1, x, z, wider * amount);
 }
 
-// A piece of surface at p; sky and key: the areas [square units] that it shows to them.
+// Cast the shadow of a piece of surface at p; sky, key: its areas projected along each light's
+// direction onto the floor [square units].
 static void cast_piece(const Cast* cast, const float p[3], float sky, float key, float4 absorbed) {
     const float height = fmaxf(p[1] - cast->floor, 0);
     const float x = (p[0] - cast->corner_x) * cast->per_unit;
@@ -94,7 +95,7 @@ static void cast_triangle(const Cast* cast, const float* a, const float* b, cons
     const float u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     const float v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
 
-    // areas that face away from the lights, as thrown on the floor
+    // projected areas; a positive area faces away from the light
     const float nx = u[1] * v[2] - u[2] * v[1], ny = u[2] * v[0] - u[0] * v[2],
                 nz = u[0] * v[1] - u[1] * v[0];
     float sky = -0.5f * ny, key = sky - 0.5f * (KEY_X * nx + KEY_Z * nz);
@@ -105,16 +106,16 @@ static void cast_triangle(const Cast* cast, const float* a, const float* b, cons
     if (!(sky > 0 || key > 0))
         return;
 
-    // as many pieces as it takes for their bumps to overlap
+    // enough pieces for their bumps to overlap
     const float wide = fmaxf(fmaxf(fabsf(u[0]), fabsf(u[2])), fmaxf(fabsf(v[0]), fabsf(v[2])));
     const int n = 1 + (int)fminf(wide * cast->per_unit, PIECES - 1);
     const float share = 1 / (float)(n * n), third = 1 / (3 * (float)n);
     for (int i = 0; i < n; i++)
         for (int j = 0; j < 2 * (n - i) - 1; j++) {
-            // upright small triangles at even j, those on their tip between them at odd
-            const int tip = j % 2, column = j / 2;
-            const float s = (float)(3 * i + 1 + tip) * third;
-            const float t = (float)(3 * column + 1 + tip) * third;
+            // even j: triangles oriented as the large one; odd j: the inverted ones between them
+            const int inverted = j % 2, column = j / 2;
+            const float s = (float)(3 * i + 1 + inverted) * third;
+            const float t = (float)(3 * column + 1 + inverted) * third;
             const float p[3] = {a[0] + s * u[0] + t * v[0], a[1] + s * u[1] + t * v[1],
                                 a[2] + s * u[2] + t * v[2]};
             cast_piece(cast, p, share * sky, share * key, absorbed);
@@ -124,7 +125,7 @@ static void cast_triangle(const Cast* cast, const float* a, const float* b, cons
 static void cast_skin(const Cast* cast, const PictureSkin* shape) {
     float4 absorbed = {1, 1, 1, 0};
     for (int i = 0; i < 3; i++)
-        absorbed[i] -= THROUGH * shape->color[i];
+        absorbed[i] -= TRANSMISSION * shape->color[i];
     if (shape->paint == PAINT_FAINT)
         absorbed *= FAINT;
 
@@ -144,7 +145,7 @@ static void cast_ball(const Cast* cast, const PictureBall* shape) {
         const float across = shape->radius * sqrtf(square);
         const float below = shape->radius * sqrtf(1 - square);
         for (int j = 0; j < SPOKES; j++) {
-            const float angle = 6.2831853f * ((float)j + 0.5f * (float)(i % 2)) / SPOKES;
+            const float angle = 2 * (float)PI * ((float)j + 0.5f * (float)(i % 2)) / SPOKES;
             const float p[3] = {shape->center[0] + across * cosf(angle), shape->center[1] - below,
                                 shape->center[2] + across * sinf(angle)};
             cast_piece(cast, p, area, area, (float4){1, 1, 1, 0});
@@ -152,8 +153,8 @@ static void cast_ball(const Cast* cast, const PictureBall* shape) {
     }
 }
 
-// fine += coarse on a grid of half the spacing, by cubic B-spline subdivision: points that stay
-// take (1 6 1)/8 of themselves and their neighbours, points between two take half of each.
+// fine += coarse on a grid of half the spacing, by cubic B-spline subdivision: a point of both grids
+// takes (1 6 1)/8 of itself and its neighbors, a point between two takes half of each.
 static void widen(const float4* restrict coarse, int n, float4* restrict fine) {
     const int m = 2 * n - 1;
     for (int j = 0; j < m; j++) {
@@ -192,11 +193,11 @@ void shadow_cast(Shadow* shadow, const Picture* picture) {
     for (int i = 0; i < picture->ball_count; i++)
         cast_ball(&cast, &picture->ball[i]);
 
-    // from the widest to the finest
+    // from the coarsest grid to the finest
     for (int k = SHADOW_LEVELS - 1; k > 0; k--)
         widen(shadow->level[k], side(k), shadow->level[k - 1]);
 
-    // one layer of rubber after another: light falls off exponentially
+    // light passes one layer of rubber after another: exponential attenuation
     const float4* depth = shadow->level[0];
     for (int i = 0; i < SHADOW_SIDE * SHADOW_SIDE; i++)
         for (int k = 0; k < 3; k++)

@@ -8,7 +8,7 @@
 #include "draw/depth.h"
 #include "draw/shader.h"
 
-// A paint is a fragment shader.
+// The fragment shader of each paint.
 static const char* const FRAGMENT[PAINT_COUNT] = {
     [PAINT_RUBBER] = "rubber.frag",
     [PAINT_FIELD] = "field.frag",
@@ -47,7 +47,7 @@ static void free_arrays(Skins* skins) {
     free(skins->scratch);
 }
 
-// Room for a picture; only a larger one than ever before allocates.
+// Grow the arrays for a picture larger than all before it.
 static void ensure_capacity(Skins* skins, int points, int triangles) {
     if (points <= skins->point_capacity && triangles <= skins->triangle_capacity)
         return;
@@ -82,7 +82,7 @@ static void gather_points(Skins* skins, const PictureSkin* skin, int first, cons
     }
 }
 
-// Does the eye see the triangle's outside?
+// Whether the triangle's outside faces the eye.
 static bool faces_eye(const float* a, const float* b, const float* c, const float* eye) {
     const float u[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     const float v[3] = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -92,7 +92,7 @@ static bool faces_eye(const float* a, const float* b, const float* c, const floa
            0;
 }
 
-// Append the triangles that can be seen; the far side of a closed skin shows only through rubber.
+// Append the visible triangles; the far side of a closed skin is visible only through rubber.
 static int gather_triangles(Skins* skins, const PictureSkin* skin, int first, int count,
                             const float* eye) {
     const bool both = skin->two_sided || skin->paint == PAINT_RUBBER;
@@ -143,7 +143,7 @@ static int gather_selected(Skins* skins, const Picture* picture, int used) {
     return used + skins->selected.count;
 }
 
-// New storage each time: the driver may still be drawing from the old.
+// glBufferData makes new storage each time: the driver may still be reading the old.
 static void upload_points(const Skins* skins, int points) {
     glBindBuffer(GL_ARRAY_BUFFER, skins->points);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)sizeof(SkinPoint) * points, skins->point,
@@ -198,7 +198,7 @@ void skins_draw(const Skins* skins, SkinPaint paint) {
     draw_range(skins, skins->painted[paint]);
 }
 
-bool skins_veil(const Skins* skins) {
+bool skins_have_translucent(const Skins* skins) {
     return skins->painted[PAINT_RUBBER].count > 0 || skins->painted[PAINT_FAINT].count > 0;
 }
 

@@ -16,8 +16,8 @@ static void attach(GLuint framebuffer, GLenum point, GLuint renderbuffer) {
 Target target_open(int width, int height) {
     Target target = {.width = width, .height = height};
 
-    // the shaders write display values, so the formats are plain: blending and resolving then
-    // work on what the eye sees, and the copy to the window is a copy
+    // the shaders write display values, so the formats are not sRGB: blending and resolving work on
+    // display values, and the copy to the window converts nothing
     target.color = storage(TARGET_SAMPLES, GL_RGBA8, width, height);
     target.depth = storage(TARGET_SAMPLES, GL_DEPTH_COMPONENT24, width, height);
     target.plain = storage(0, GL_RGBA8, width, height);

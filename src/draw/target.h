@@ -1,5 +1,5 @@
-/// The framebuffers: one with four samples a pixel and depth to draw into, and a plain one that it
-/// is resolved to, which captures read and the window shows.
+/// The framebuffers: one with depth and four samples a pixel to draw into, and a plain one that it
+/// is resolved to, which captures read and the window displays.
 #ifndef BALLOON_DRAW_TARGET_H
 #define BALLOON_DRAW_TARGET_H
 
@@ -16,9 +16,9 @@ typedef struct Target {
 Target target_open(int width, int height);
 void target_resize(Target* target, int width, int height);
 
-/// Bind for drawing, depth cleared to the far plane.
+/// Bind for drawing, and clear color and depth.
 void target_begin(const Target* target);
-/// Average the samples; leaves the resolved framebuffer bound.
+/// Average the samples, and leave the resolved framebuffer bound.
 void target_resolve(const Target* target);
 
 void target_close(Target* target);

@@ -1,9 +1,9 @@
 /// Strings, springs and arrows: straight lines as quads that face the eye, shaded like thin round
 /// wires.
 ///
-/// They are drawn twice: before the skins, so that they show through them, and after them, so
-/// that those in front of a skin or on it lie on top. A small step towards the eye decides for
-/// lines that lie on a surface.
+/// They are drawn twice: before translucent skins, which blend over lines behind them, and after
+/// them for the lines in front of a skin or on it. A small offset toward the eye puts lines that
+/// lie on a surface in front of it.
 #ifndef BALLOON_DRAW_WIRES_H
 #define BALLOON_DRAW_WIRES_H
 

@@ -1,5 +1,5 @@
-/// The overlay: draws an Overlay with Dear ImGui on the framebuffer that is bound, the same in the
-/// window and headless. C face of the C++ shim in hud.cpp.
+/// Draws an Overlay with Dear ImGui on the bound framebuffer, in the window as headless. C interface
+/// of hud.cpp.
 #ifndef BALLOON_HUD_HUD_H
 #define BALLOON_HUD_HUD_H
 
@@ -10,18 +10,18 @@ extern "C" {
 #include "base/fault.h"
 #include "view/overlay.h"
 
-/// A GL context must be current. scale: 1 for a plain screen, 2 for a high-density one,
-/// rounded to a whole number.
+/// A GL context must be current. scale: 1 for a plain screen, 2 for a high-density one; rounded to
+/// a whole number.
 bool hud_open(float scale, Fault* fault);
 
 /// Draw the overlay over a framebuffer of this size.
 void hud_draw(const Overlay* overlay, int width, int height);
 
-/// The cell {row, column} of the lab's map under a point, 0…1 from the upper left; false: there is
-/// none.
+/// Find the cell {row, column} of the stability map under a point, 0…1 from the upper left. Returns
+/// false if there is none.
 bool hud_cell(const Overlay* overlay, int width, int height, const float point[2], int cell[2]);
 
-/// The notch of the lab's slider there, 1 …; 0: there is none.
+/// The notch of the slider under a point, 1 …; 0: none.
 int hud_notch(const Overlay* overlay, int width, int height, const float point[2]);
 
 void hud_close(void);

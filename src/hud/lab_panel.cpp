@@ -4,34 +4,34 @@
 
 #include "hud/parts.hpp"
 
-// A column along the right rim: title, plots with one axis of time, the curve where there is one,
-// the map.
+// A column along the right edge: title, plots over one time axis, the curve of a balloon with a
+// closed form, the stability map.
 namespace hud {
 namespace {
 
 // All in pixels at scale 1.
-constexpr float MAX_WIDTH = 300;      // of the column, but at most
-constexpr float MAX_SHARE = 0.4f;     // of the picture
-constexpr float LABEL_WIDTH = 70;     // of the plots' labels
-constexpr float PLOT_HEIGHT = 46;     // height of a plot, where there is room
-constexpr float MIN_PLOT_HEIGHT = 14; // and where there is none
-constexpr float TITLE_LINES = 1.4f;   // of the title, in lines
-constexpr float AXIS_LINES = 1.2f;    // below plots
+constexpr float MAX_WIDTH = 300;  // of the column
+constexpr float MAX_SHARE = 0.4f; // of the column, over the picture's width
+constexpr float LABEL_WIDTH = 70; // of the plots' labels
+constexpr float PLOT_HEIGHT = 46; // largest height of a plot
+constexpr float MIN_PLOT_HEIGHT = 14;
+constexpr float TITLE_LINES = 1.4f; // height of the title, in lines
+constexpr float AXIS_LINES = 1.2f;  // height of an axis' text below a plot, in lines
 constexpr float LINE_WIDTH = 1.5f;
-constexpr float CURVE_PLOTS = 2.5f; // the curve, in plots
+constexpr float CURVE_PLOTS = 2.5f; // height of the curve and of the map, in plots
 constexpr float DOT = 4;            // radius
 
-// As `balloon stability` draws them.
+// The colors of `balloon stability`.
 constexpr ImU32 CELL[LAB_CELLS] = {0, IM_COL32(158, 202, 225, 255), IM_COL32(254, 196, 79, 255),
                                    IM_COL32(203, 24, 29, 255)};
 constexpr ImU32 EDGE = IM_COL32(10, 12, 16, 255);
 
-// What moves by less than this much of its size is drawn flat. [1]
+// A plot's range is at least this share of its values: rounding is not magnified. [1]
 constexpr float FLAT = 1e-3f;
 
 struct Range {
     float low, high;
-    float part(float y) const {
+    float fraction(float y) const {
         return (y - low) / (high - low);
     }
 };
@@ -46,10 +46,10 @@ Range range_of(const float* y, int count) {
     if (!(low <= high))
         return {0, 1};
     const float size = std::max(std::fabs(low), std::fabs(high));
-    const float more = std::max(FLAT * size, 1e-20f) - (high - low);
-    if (more <= 0)
+    const float missing = std::max(FLAT * size, 1e-20f) - (high - low);
+    if (missing <= 0)
         return {low, high};
-    return {low - more / 2, high + more / 2};
+    return {low - missing / 2, high + missing / 2};
 }
 
 void line(ImVec2 a, ImVec2 b, ImU32 color) {
@@ -65,7 +65,7 @@ void text_right(float x, float y, ImU32 color, const char* words) {
     text(x - width_of(words), y, color, words);
 }
 
-// On the line of a text that ends at `end`, if there is space for both.
+// Right-aligned at x, on the line of a text that ends at `end`, if both fit.
 void text_beside(float end, float x, float y, ImU32 color, const char* words) {
     if (end + GAP * scale + width_of(words) <= x)
         text_right(x, y, color, words);
@@ -78,8 +78,8 @@ void draw_plot(const LabPanel& panel, const LabPlot& plot, ImVec2 low, ImVec2 si
     ImVec2 last;
     bool drawn = false;
     for (int k = 0; k < panel.count; k++) {
-        const ImVec2 at(low.x + size.x * time.part(panel.t[k]),
-                        low.y + size.y * (1 - range.part(plot.y[k])));
+        const ImVec2 at(low.x + size.x * time.fraction(panel.t[k]),
+                        low.y + size.y * (1 - range.fraction(plot.y[k])));
         const bool good = std::isfinite(plot.y[k]);
         if (good && drawn)
             line(last, at, LINE_COLOR);
@@ -138,7 +138,7 @@ void draw_curve(const LabCurve& curve, ImVec2 low, ImVec2 size) {
         DOT * scale, VALUE);
 }
 
-// A lattice of cells; theory is a line and the bound a dashed one through the rows' middles.
+// A grid of cells. Lines through the rows' middles: the limit of theory solid, the bound dashed.
 void draw_map(const LabMap& map, ImVec2 low, ImVec2 size) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     const ImVec2 cell(size.x / LAB_COLUMNS, size.y / LAB_ROWS);
@@ -175,15 +175,14 @@ void draw_map(const LabMap& map, ImVec2 low, ImVec2 size) {
                   map.watched ? TITLE : VALUE, 0, 0, 2 * scale);
 }
 
-// Where everything goes; all in pixels of the picture.
+// Positions, in pixels of the picture.
 struct Layout {
     float left, right, width; // of texts and plots
     float plot_height;        // height of a plot
-    float curve, map;         // from where on
-    float end;
+    float curve, map, end;    // y at which these begin
 };
 
-// Texts have their heights, what is drawn shares the rest.
+// Texts have fixed heights; plots, curve and map share the rest.
 Layout layout_of(const LabPanel& panel, ImVec2 size) {
     Layout layout;
     layout.width = std::min(MAX_WIDTH * scale, MAX_SHARE * size.x);

@@ -1,4 +1,4 @@
-/// What the files of the overlay share: colours, sizes, and the shapes that they draw.
+/// Shared by the files of the overlay: colors, sizes, and basic shapes.
 #ifndef BALLOON_HUD_PARTS_HPP
 #define BALLOON_HUD_PARTS_HPP
 
@@ -18,8 +18,8 @@ constexpr ImU32 TRUTH = IM_COL32(255, 170, 70, 255);
 constexpr ImU32 LINE_COLOR = IM_COL32(118, 196, 255, 255);
 
 // All in pixels at scale 1.
-constexpr float FONT_SIZE = 13; // what ImGui's own font is drawn for
-constexpr float LINE = 18;      // from one line of text to the next
+constexpr float FONT_SIZE = 13; // size of ImGui's own bitmap font
+constexpr float LINE = 18;      // height of a line of text
 constexpr float MARGIN = 14;    // from the picture's edge to a box
 constexpr float PADDING = 12;   // from a box's edge to its text
 constexpr float GAP = 16;       // between the columns
@@ -31,13 +31,14 @@ float width_of(const char* text);
 void box(ImVec2 low, ImVec2 size, ImU32 color);
 void text(float x, float y, ImU32 color, const char* words);
 
-/// The lab's panel along the right rim of a picture of this size; where its box begins [px].
+/// Draw the lab panel along the right edge of a picture of this size [px]; returns the box's left
+/// end [px].
 float draw_lab_panel(const LabPanel& panel, ImVec2 size);
 
-/// The cell of its map under a point [px].
+/// Find the cell {row, column} of its map under a point [px]; false: none.
 bool lab_panel_cell(const LabPanel& panel, ImVec2 size, ImVec2 point, int cell[2]);
 
-/// The slider at the lower left, and its notch under a point, 1 …; 0: none [px].
+/// Draw the slider at the lower left; find its notch under a point [px]: 1 …, or 0 for none.
 void draw_slider(const LabSlider& slider, ImVec2 size);
 int slider_notch(const LabSlider& slider, ImVec2 size, ImVec2 point);
 

@@ -3,14 +3,14 @@
 
 #include "hud/parts.hpp"
 
-// A box at the lower left: the track with its notches, and lines below.
+// A box at the lower left: a track with notches, and lines of text below.
 namespace hud {
 namespace {
 
 // All in pixels at scale 1.
 constexpr float TRACK_WIDTH = 300;
-constexpr float TRACK_HEIGHT = 20; // height
-constexpr float NOTCH_RADIUS = 3;  // radius
+constexpr float TRACK_HEIGHT = 20;
+constexpr float NOTCH_RADIUS = 3;
 constexpr float THUMB_RADIUS = 7;
 
 struct Track {
@@ -31,7 +31,7 @@ Track track_of(const LabSlider& slider, ImVec2 size) {
     return track;
 }
 
-// A small picture has no room for it beside the panel.
+// Whether the slider fits beside the lab panel.
 bool fits(const Track& track, ImVec2 size) {
     return size.x >= 1.95f * track.size.x && size.y >= 2 * track.size.y;
 }
@@ -57,8 +57,8 @@ void draw_slider(const LabSlider& slider, ImVec2 size) {
     for (int k = 1; k <= slider.notches; k++)
         list->AddCircleFilled(ImVec2(notch_x(slider, track, k), track.y), NOTCH_RADIUS * scale,
                               LABEL);
-    if (slider.at > 0)
-        list->AddCircleFilled(ImVec2(notch_x(slider, track, slider.at), track.y),
+    if (slider.notch > 0)
+        list->AddCircleFilled(ImVec2(notch_x(slider, track, slider.notch), track.y),
                               THUMB_RADIUS * scale, TRUTH);
     for (int k = 0; k < slider.lines; k++)
         text(track.left, top + (LINE * static_cast<float>(k + 1) + TRACK_HEIGHT) * scale, VALUE,
@@ -71,8 +71,8 @@ int slider_notch(const LabSlider& slider, ImVec2 size, ImVec2 point) {
     if (!fits(track, size) || slider.notches == 0 || std::fabs(point.y - track.y) > reach ||
         point.x < track.left - reach || point.x > track.right + reach)
         return 0;
-    const float part = (point.x - track.left) / (track.right - track.left);
-    const float notch = std::round(part * static_cast<float>(slider.notches - 1));
+    const float fraction = (point.x - track.left) / (track.right - track.left);
+    const float notch = std::round(fraction * static_cast<float>(slider.notches - 1));
     return 1 + std::clamp(static_cast<int>(notch), 0, slider.notches - 1);
 }
 

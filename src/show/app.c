@@ -208,7 +208,7 @@ bool app_open(App* app, Fault* fault) {
     const ShowOptions* options = app->options;
     app->width = options->width;
     app->height = options->height;
-    app->overlay.shown = options->overlay;
+    app->overlay.status_visible = options->overlay;
     list_keys(&app->overlay);
     app_show_lab(app, options->lab);
     app_reset_view(app);

@@ -70,11 +70,11 @@ static void next_speed(App* app) {
 }
 
 static void toggle_overlay(App* app) {
-    app->overlay.shown = !app->overlay.shown;
+    app->overlay.status_visible = !app->overlay.status_visible;
 }
 
 static void toggle_help(App* app) {
-    app->overlay.help_shown = !app->overlay.help_shown;
+    app->overlay.help_visible = !app->overlay.help_visible;
 }
 
 static void toggle_lab(App* app) {

@@ -110,7 +110,7 @@ static void draw(App* app, double elapsed, double frame_ms) {
         .paused = app->pacer.paused,
         .compared = compared,
         .frame_ms = frame_ms,
-        .message = app->overlay.shown && app->message_seconds > 0 ? app->message : "",
+        .message = app->overlay.status_visible && app->message_seconds > 0 ? app->message : "",
     };
     status_fill(&app->overlay, app->world, &app->picture, &status);
     app->overlay.lab_panel = NULL;

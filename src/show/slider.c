@@ -56,7 +56,7 @@ __attribute__((format(printf, 2, 3))) static void say(LabSlider* panel, const ch
 void slider_fill(const Slider* slider, const World* world, int notch, bool timed,
                  LabSlider* panel) {
     panel->notches = slider->notches;
-    panel->at = notch;
+    panel->notch = notch;
     panel->lines = 0;
     if (slider->notches == 0) {
         say(panel, "not measured here yet:");

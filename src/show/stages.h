@@ -7,7 +7,7 @@
 
 typedef enum Stage {
     STAGE_STEPS,   ///< the world's steps
-    STAGE_PICTURE, ///< positions, normals, colours
+    STAGE_PICTURE, ///< positions, normals, colors
     STAGE_UPLOAD,  ///< sort by depth, arrays to the driver
     STAGE_SHADOW,  ///< the floor's
     STAGE_SCENE,   ///< draw

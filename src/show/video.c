@@ -10,7 +10,7 @@
 
 extern char** environ;
 
-// 4:2:0 colour, which players want, has whole pixels only in even sizes
+// 4:2:0 color, which players want, has whole pixels only in even sizes
 #define EVEN "crop=trunc(iw/2)*2:trunc(ih/2)*2"
 
 static const char* const MP4[] = {"-vf",      EVEN,      "-c:v",      "libx264",    "-crf", "18",

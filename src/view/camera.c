@@ -7,15 +7,15 @@
 
 #include "base/real.h"
 
-// One turn of the wrist: a drag over the height of the window turns the scene by half a circle.
+// A drag over the height of the window rotates the scene by half a circle.
 static const float RADIANS_PER_HEIGHT = (float)PI;
-// Short of straight up and down, where "up" would lose its meaning.
+// Below pi / 2: looking straight up or down, the direction "up" is undefined. [rad]
 static const float PITCH_LIMIT = 1.5f;
 static const float ZOOM_PER_STEP = 0.9f;
-// Near and far as ratios of the distance: 24 bits of depth then resolve 1e-4 of the distance.
+// The near and the far plane over the distance: 24 bits of depth then resolve 1e-4 of the distance.
 static const float NEAR_RATIO = 0.02f;
 static const float FAR_RATIO = 60.0f;
-// A framed box is seen whole in windows down to this width over height, with some air around it.
+// A framed box is fully visible in windows down to this width over height, with a margin around it.
 static const float NARROWEST = 4.0f / 3;
 static const float MARGIN = 1.06f;
 
@@ -28,8 +28,8 @@ static void axes(const Camera* camera, vec3 right, vec3 up, vec3 forward) {
     glm_vec3_copy((vec3){-sy * cp, -sp, -cy * cp}, forward);
 }
 
-// The distance at which a point, given from the target, just touches the edge of the picture.
-static float touching(const vec3 point, vec3 right, vec3 up, vec3 forward, float half) {
+// The distance of the eye at which a point, relative to the target, lies on the picture's edge.
+static float distance_to_fit(const vec3 point, vec3 right, vec3 up, vec3 forward, float half) {
     vec3 p = {point[0], point[1], point[2]};
     const float x = fabsf(glm_vec3_dot(p, right)) / (half * NARROWEST);
     const float y = fabsf(glm_vec3_dot(p, up)) / half;
@@ -49,7 +49,7 @@ Camera camera_framing(const float low[3], const float high[3]) {
         for (int i = 0; i < 3; i++)
             point[i] = (corner >> i & 1 ? high[i] : low[i]) - camera.target[i];
         camera.distance =
-            glm_max(camera.distance, MARGIN * touching(point, right, up, forward, half));
+            glm_max(camera.distance, MARGIN * distance_to_fit(point, right, up, forward, half));
     }
     if (!(camera.distance > 0))
         camera.distance = 1;
@@ -66,7 +66,7 @@ void camera_pan(Camera* camera, float dx, float dy) {
     vec3 right, up, forward;
     axes(camera, right, up, forward);
 
-    // what is at the target's depth stays under the pointer
+    // a point at the target's depth stays under the pointer
     const float height = 2 * camera->distance * tanf(0.5f * camera->field);
     for (int i = 0; i < 3; i++)
         camera->target[i] += height * (dy * up[i] - dx * right[i]);

@@ -19,13 +19,13 @@ static const unsigned char SCALE[SCALE_STEPS + 1][3] = {
 };
 
 void color_scale(float t, float linear[3]) {
-    const float at = fminf(fmaxf(t, 0), 1) * SCALE_STEPS;
-    const int step = at < SCALE_STEPS ? (int)at : SCALE_STEPS - 1;
-    const float part = at - (float)step;
+    const float position = fminf(fmaxf(t, 0), 1) * SCALE_STEPS;
+    const int step = position < SCALE_STEPS ? (int)position : SCALE_STEPS - 1;
+    const float fraction = position - (float)step;
 
-    // between two entries in sRGB, where the scale was made to look even
+    // interpolate in sRGB, for which the scale was designed
     for (int k = 0; k < 3; k++) {
         const float a = SCALE[step][k], b = SCALE[step + 1][k];
-        linear[k] = linear_of((a + part * (b - a)) / 255);
+        linear[k] = linear_of((a + fraction * (b - a)) / 255);
     }
 }

@@ -11,7 +11,7 @@ static void widen(const PictureSkin* skin, double* low, double* high) {
     }
 }
 
-/// Whether any colour is another now.
+/// Returns whether any color has changed.
 static bool tint(PictureSkin* skin, const float range[2]) {
     bool changed = false;
     for (int i = 0; i < skin->point_count; i++) {
@@ -59,7 +59,7 @@ void field_of_elements(PictureSkin* skin, const Body* body, ElementField* elemen
 
 static const double STEPS[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10};
 enum { STEP_COUNT = sizeof STEPS / sizeof *STEPS };
-static const double ROUNDING = 1e-4; ///< far above float's rounding, far below what an eye sees
+static const double ROUNDING = 1e-4; ///< far above float's rounding, far below a visible change
 
 double field_above(double x) {
     const double ten = pow(10, floor(log10(x)));

@@ -4,7 +4,7 @@
 
 #include "view/spheres.h"
 
-// A balloon that fills the picture at rest has nowhere to grow. [parts of its size]
+// Space around a balloon at rest, so that it can grow within the picture. [of its size]
 static const float GROWTH_MARGIN = 0.15f;
 
 static void widen(float low[3], float high[3], real4 point) {
@@ -30,7 +30,7 @@ Camera framing_all(const World* world) {
     return camera_framing(low, high);
 }
 
-/// Turn and distance for an eye at `eye`.
+/// Set yaw, pitch and distance so that the eye is at `eye`.
 static void set_eye(Camera* camera, const double eye[3]) {
     double offset[3], square = 0;
     for (int k = 0; k < 3; k++) {
@@ -43,7 +43,7 @@ static void set_eye(Camera* camera, const double eye[3]) {
     camera->distance = (float)distance;
     camera->yaw = (float)atan2(offset[0], offset[2]);
     camera->pitch = (float)asin(offset[1] / distance);
-    camera_orbit(camera, 0, 0); // holds the pitch within its limits
+    camera_orbit(camera, 0, 0); // clamps the pitch
 }
 
 Camera framing_first(const World* world) {

@@ -8,14 +8,14 @@
 
 // clang-format off
 static const struct Quantity {
-    const char* column; ///< of the balloon; NULL: what a step cost
+    const char* column; ///< output of the balloon; NULL: the wall time of a step
     const char* label;
     const char* unit;
 } quantity_table[LAB_PLOTS] = {
-    [HISTORY_VOLUME]   = {"volume",         "volume",   ""},
-    [HISTORY_PRESSURE] = {"gauge_pressure", "pressure", ""},
-    [HISTORY_ENERGY]   = {"total_energy",   "energy",   ""},
-    [HISTORY_COST]     = {NULL,             "a step",   " ms"},
+    [HISTORY_VOLUME]   = {"volume",         "volume",    ""},
+    [HISTORY_PRESSURE] = {"gauge_pressure", "pressure",  ""},
+    [HISTORY_ENERGY]   = {"total_energy",   "energy",    ""},
+    [HISTORY_COST]     = {NULL,             "step cost", " ms"},
 };
 // clang-format on
 
@@ -24,38 +24,38 @@ int history_balloon(const World* world) {
 }
 
 void history_begin(History* history) {
-    *history = (History){.balloon = NONE, .last = -1};
+    *history = (History){.balloon = NONE, .last_step = -1};
 }
 
 bool history_due(const History* history, const World* world, long interval) {
-    return history->balloon != history_balloon(world) || world->step_count < history->last ||
-           world->step_count >= history->last + interval;
+    return history->balloon != history_balloon(world) || world->step_count < history->last_step ||
+           world->step_count >= history->last_step + interval;
 }
 
-void history_add(History* history, const World* world, double ms) {
+void history_add(History* history, const World* world, double step_ms) {
     const int balloon = history_balloon(world);
-    if (balloon != history->balloon || world->step_count < history->last)
+    if (balloon != history->balloon || world->step_count < history->last_step)
         history_begin(history);
     history->balloon = balloon;
-    history->last = world->step_count;
+    history->last_step = world->step_count;
 
-    const int at = history->next;
-    history->t[at] = world_time(world);
+    const int index = history->next;
+    history->t[index] = world_time(world);
     for (int k = 0; k < LAB_PLOTS; k++) {
         char column[64];
-        double* value = &history->value[k][at];
-        *value = ms;
+        double* value = &history->value[k][index];
+        *value = step_ms;
         if (!quantity_table[k].column)
             continue;
         snprintf(column, sizeof column, "balloon%d.%s", balloon, quantity_table[k].column);
         if (!probe_value(world, column, value))
             *value = (double)NAN;
     }
-    history->next = (at + 1) % LAB_POINTS;
+    history->next = (index + 1) % LAB_POINTS;
     history->count += history->count < LAB_POINTS;
 }
 
-/// Place in the ring of the k-th point from the oldest.
+/// Index in the ring of the k-th point from the oldest.
 static int ring_index(const History* history, int k) {
     return (history->next - history->count + k + LAB_POINTS) % LAB_POINTS;
 }
@@ -64,10 +64,10 @@ double history_value(const History* history, int quantity, int k) {
     return history->value[quantity][ring_index(history, k)];
 }
 
-/// What takes so many times the median is not the step, but what came between. [1]
+/// A step that takes so many times the median was interrupted by another process. [1]
 static const double SPIKE = 4;
 
-/// Spikes would leave nothing to see of the rest.
+/// Clip values above SPIKE medians: the plot's scale would otherwise flatten all other values.
 static void clip_spikes(float* y, int count) {
     double sorted[LAB_POINTS];
     int known = 0;

@@ -5,15 +5,15 @@
 
 // Figure 26 of the mass-spring paper: the net force on each particle.
 static const double MAX_LENGTH = 4.0;        // no arrow is longer [edge lengths]
-static const double HALF_LENGTH_FORCE = 2.0; // this many times the mean force is half as long
+static const double HALF_LENGTH_FORCE = 2.0; // force of an arrow of half that length [mean forces]
 static const float WIDTH = 1.5f;             // [px at 720 lines]
-static const double HEAD = 0.25;             // [parts of the arrow's length]
+static const double HEAD = 0.25;             // [of the arrow's length]
 static const double SPREAD = 0.35;           // half width of the head over its length
-// At rest the arrows are measured by a part of a particle's weight or lift: they fade away rather
-// than magnify rounding.
+// The scale is never below this share of a particle's weight or lift: at rest the arrows then
+// shrink to nothing rather than magnify rounding errors. [1]
 static const double MIN_WEIGHT_SHARE = 0.25;
 
-/// The force that arrows are measured by. [N]
+/// The force scale of the arrows. [N]
 static double force_scale(const Body* body) {
     double sum = 0;
     for (int i = 0; i < body->count; i++)
@@ -22,7 +22,7 @@ static double force_scale(const Body* body) {
     return fmax(sum / body->count, MIN_WEIGHT_SHARE * (double)body->mass[0] * fmax(lift, weight));
 }
 
-/// A shaft and two barbs, which lie flat as the eye sees them.
+/// A shaft and two barbs in the plane that faces the eye.
 static void arrow(const SkinPen* pen, const float from[3], double4 along, const float color[3]) {
     const float width = pen->width_scale * WIDTH;
     const double4 tip = (double4){from[0], from[1], from[2], 0} + along;
@@ -46,7 +46,8 @@ static bool outward(const float normal[3], real4 force) {
     return dot(force, (real4){normal[0], normal[1], normal[2], 0}) > 0;
 }
 
-/// Long forces are shortened, so that the one where a string pulls leaves the others to be seen.
+/// length = MAX_LENGTH f / (f + half): a saturating scale, so that the large force at a string does
+/// not make all other arrows invisible.
 static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
     const Body* body = &balloon->body;
     const double half = HALF_LENGTH_FORCE * force_scale(body);

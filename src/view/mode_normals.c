@@ -9,7 +9,7 @@ static const float LENGTH = 0.8f; // [edge lengths]
 static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
     const SkinPen pen = skin_pen_on(picture, skin, balloon);
     for (int i = 0; i < skin->point_count; i++) {
-        // -1…1 along x, y, z as red, green, blue
+        // the components -1…1 along x, y, z become red, green, blue
         float shade[3], tip[3];
         for (int k = 0; k < 3; k++)
             shade[k] = 0.5f + 0.5f * skin->normal[i][k];
@@ -27,7 +27,7 @@ static int lines(const Balloon* balloon) {
 
 const Mode mode_normals = {
     .name = "normals",
-    .about = "where the skin faces, as colour and as hairs",
+    .about = "the outward normal, as color and as hairs",
     .paint = PAINT_FIELD,
     .fill = fill,
     .lines = lines,

@@ -3,26 +3,26 @@
 #include "view/mode.h"
 #include "view/skin_pen.h"
 
-// Figure 5 of the width_scale-shell paper: where the skin is strongly curved, the pushes on the faces
-// around a particle cancel in part, and it is pushed less.
+// Figure 5 of the thin-shell balloon paper: where the skin is strongly curved, the pressure forces
+// of the faces around a particle partly cancel, and their sum is smaller.
 static const float LENGTH = 2.0f; // the longest hair [edge lengths]
 static const float WIDTH = 1.0f;  // [px at 720 lines]
 
-enum { MAX_HAIRS = 4000 }; ///< with more particles, hairs would hide the colours
+enum { MAX_HAIRS = 4000 }; ///< with more particles, hairs would hide the colors
 
 static bool fits(const Balloon* balloon) {
     return balloon->body.inflation.law != INFLATE_NONE;
 }
 
-/// p dV/dx at a particle [N].
-static double4 push(const Balloon* balloon, double pressure, int i) {
+/// The pressure force p dV/dx on a particle [N].
+static double4 pressure_force(const Balloon* balloon, double pressure, int i) {
     return pressure * measure_volume_gradient_at(&balloon->mesh, balloon->body.x, i);
 }
 
 static void measure(PictureSkin* skin, const Balloon* balloon) {
     const double pressure = balloon_pressure(balloon);
     for (int i = 0; i < skin->point_count; i++)
-        skin->field[i] = (float)dlength(push(balloon, pressure, i));
+        skin->field[i] = (float)dlength(pressure_force(balloon, pressure, i));
 }
 
 static void range(double* low, double* high) {
@@ -43,7 +43,7 @@ static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
     for (int i = 0; i < skin->point_count; i++) {
         if (skin_pen_hidden(&pen, i))
             continue;
-        const double4 hair = scale * push(balloon, pressure, i);
+        const double4 hair = scale * pressure_force(balloon, pressure, i);
         float tip[3];
         for (int k = 0; k < 3; k++)
             tip[k] = skin->position[i][k] + (float)hair[k];
@@ -53,7 +53,7 @@ static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
 
 const Mode mode_pressure = {
     .name = "pressure",
-    .about = "the push of the pressure on each particle, as colour and as hairs",
+    .about = "the force of the pressure on each particle, as color and as hairs",
     .paint = PAINT_FIELD,
     .fits = fits,
     .measure = measure,

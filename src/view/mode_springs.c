@@ -1,9 +1,9 @@
 #include "view/mode.h"
 #include "view/skin_pen.h"
 
-// figure 3 of the mass-spring paper: particles red, structural springs black, shear blue, flexion
-// green. Flexion springs lie along two structural ones: they are wider and deeper, so that both
-// show
+// Figure 3 of the mass-spring paper: particles red, structural springs black, shear blue, flexion
+// green. A flexion spring lies along two structural ones: it is drawn wider and deeper, so that
+// both are visible.
 static const float* const COLOR[SPRING_KINDS] = {PEN_BLACK, PEN_BLUE, PEN_GREEN};
 static const float WIDTH[SPRING_KINDS] = {1.3f, 1.0f, 2.6f};    // [px at 720 lines]
 static const float RAISE[SPRING_KINDS] = {0.03f, 0.02f, 0.01f}; // [edge lengths]
@@ -27,7 +27,7 @@ static void fill(Picture* picture, PictureSkin* skin, const Balloon* balloon) {
     const Torsion* torsion = &balloon->body.torsion;
     const Springs* springs = &balloon->body.springs;
 
-    // the deepest first
+    // from the deepest to the highest
     for (int t = 0; t < torsion->count; t++) {
         const int end[2] = {torsion->path[t][0], torsion->path[t][2]};
         skin_pen_line(&pen, end, 0, PEN_ORANGE, TORSION_WIDTH);

@@ -1,14 +1,13 @@
 #include "view/field.h"
 #include "view/mode.h"
 
-static const double MIN_HALF =
-    0.001; ///< half a range is no less, so that rounding is not magnified
+static const double MIN_HALF = 0.001; ///< lower limit of half a range: rounding is not magnified
 
 static bool fits(const Balloon* balloon) {
     return balloon->body.membrane.count > 0;
 }
 
-/// The rubber of the elements at a point now over that at rest.
+/// The present volume of rubber of a point's elements over their volume at rest.
 static FieldShare element(const Membrane* membrane, const real4* x, int e) {
     const double area = membrane_share(membrane, e) * membrane_area(membrane, x, e);
     const double now = area > 0 ? area * membrane_thickness(membrane, x, e) : 0;
@@ -19,7 +18,7 @@ static void measure(PictureSkin* skin, const Balloon* balloon) {
     field_of_elements(skin, &balloon->body, element, skin->field);
 }
 
-/// As much below 1 as above it.
+/// Symmetric about 1.
 static void range(double* low, double* high) {
     const double half = field_above(fmax(fmax(1 - *low, *high - 1), MIN_HALF));
     *low = 1 - half;
@@ -28,7 +27,7 @@ static void range(double* low, double* high) {
 
 const Mode mode_volume_ratio = {
     .name = "volume-ratio",
-    .about = "rubber of the elements now over that at rest; only volume rule global lets it vary",
+    .about = "volume of rubber over that at rest; varies only with volume rule global",
     .paint = PAINT_FIELD,
     .fits = fits,
     .measure = measure,

@@ -1,5 +1,5 @@
-/// What the overlay says, as plain text: the world and the main loop fill it, hud/ draws it the
-/// same in the window and headless.
+/// The overlay as plain text: view/status.c and the main loop fill it, hud/ draws it, in the window
+/// as headless.
 #ifndef BALLOON_VIEW_OVERLAY_H
 #define BALLOON_VIEW_OVERLAY_H
 
@@ -23,23 +23,23 @@ typedef struct OverlayKey {
 } OverlayKey;
 
 typedef struct Overlay {
-    bool shown;               ///< the status box
+    bool status_visible;
     char title[OVERLAY_TEXT]; ///< the scene's title
     int row_count;
     OverlayRow row[OVERLAY_ROWS];
-    bool help_shown; ///< the help box with all keys
+    bool help_visible; ///< the help box with all keys
     int key_count;
     OverlayKey key[OVERLAY_KEYS];
-    const LabPanel* lab_panel; ///< the lab's, where no help is; NULL: not shown
-    char message[512];         ///< a sentence in the middle of the lower rim; empty: none
-    bool alarm;                ///< the message is about what must not be: shown in red
+    const LabPanel* lab_panel; ///< hidden while the help box is visible; NULL: none
+    char message[512];         ///< a sentence at the middle of the lower edge; empty: none
+    bool alarm;                ///< the message reports an error: drawn in red
 } Overlay;
 
-/// Append a row; what does not fit is cut, never overrun.
+/// Append a row; a text that is too long is truncated.
 void overlay_row(Overlay* overlay, const char* label, const char* format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/// Copy a text into one of the overlay's; what does not fit is cut, never overrun.
+/// Copy a text into one of the overlay's; a text that is too long is truncated.
 void overlay_text(char* text, size_t size, const char* from);
 
 #endif

@@ -13,18 +13,18 @@
 #include "view/surface.h"
 #include "world/world.h"
 
-/// Most lines and balls of a balloon, over all modes.
+/// The maximum number of lines, or of balls, of a balloon over all modes.
 static int max_count(const Balloon* balloon, bool balls) {
     int max = 0;
     for (int m = 0; m < mode_count; m++) {
         int (*count)(const Balloon*) = balls ? mode_table[m]->balls : mode_table[m]->lines;
-        const int here = count ? count(balloon) : 0;
-        max = here > max ? here : max;
+        const int added = count ? count(balloon) : 0;
+        max = added > max ? added : max;
     }
     return max;
 }
 
-/// Room for knots, what a mode draws, and all balls there are; what is there is not kept.
+/// Grow the array of balls to hold knots, the balls of any mode, and the world's; contents are lost.
 static void ensure_capacity(Picture* picture, int spheres) {
     if (picture->ball && picture->ball_reserved + spheres <= picture->ball_capacity)
         return;
@@ -43,7 +43,7 @@ void picture_open(Picture* picture, const World* world) {
     for (int b = 0; b < world->balloon_count; b++) {
         const Balloon* balloon = &world->balloon[b];
         surface_open(&picture->skin[b], balloon);
-        // the string key ties one string to a balloon that has none
+        // the key that ties strings adds one to a balloon without any
         const int strings = balloon->strings > 0 ? balloon->strings : 1;
         picture->line_capacity += max_count(balloon, false) + STRING_SEGMENTS * strings;
         picture->ball_reserved += max_count(balloon, true) + STRING_KNOTS * strings;
@@ -73,7 +73,7 @@ static void widen(float low[3], float high[3], const float point[3], float radiu
     }
 }
 
-/// The ball around the box around all skins, knots, and balls that are near them.
+/// Bounding sphere of the bounding box of all skins, knots and nearby balls.
 static void bound(Picture* picture, const World* world) {
     float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
     for (int b = 0; b < picture->skin_count; b++)
@@ -93,7 +93,7 @@ static void bound(Picture* picture, const World* world) {
     ASSERT(isfinite(picture->scene_radius), "a picture is made of finite numbers");
 }
 
-/// No two pictures that differ have the same.
+/// Pictures that differ have different stamps.
 static long next_stamp(void) {
     static long stamp;
     return ++stamp;
@@ -103,7 +103,7 @@ void picture_update(Picture* picture, const World* world, const Camera* camera, 
     const int balls = picture->ball_count;
     picture->camera = *camera;
     picture->line_count = picture->ball_count = 0;
-    picture->changed = picture->stamp == 0; // nothing was taken yet
+    picture->changed = picture->stamp == 0; // the first picture
     ensure_capacity(picture, world->contacts.sphere_count);
 
     for (int b = 0; b < world->balloon_count; b++) {
@@ -150,7 +150,7 @@ void picture_ball(Picture* picture, const float center[3], float radius, const f
         .color = {color[0], color[1], color[2]},
     };
     PictureBall* to = &picture->ball[picture->ball_count++];
-    picture->changed |= memcmp(to, &ball, sizeof ball) != 0; // floats only, no gaps
+    picture->changed |= memcmp(to, &ball, sizeof ball) != 0; // floats only: no padding bytes
     *to = ball;
 }
 

@@ -15,7 +15,7 @@ SkinPen skin_pen_on(Picture* picture, const PictureSkin* skin, const Balloon* ba
     SkinPen pen = {.picture = picture, .skin = skin, .edge_length = surface_edge_length(balloon)};
     camera_eye(camera, pen.eye);
 
-    // an edge at the skin's own size and the target's depth, in pixels of a 720-line picture
+    // length of a mean edge at the target's depth, in pixels of a 720-line picture
     const float edge = 360 * pen.edge_length / (camera->distance * tanf(camera->field / 2));
     pen.width_scale = fminf(fmaxf(edge / PEN_EDGE, MIN_WIDTH_SCALE), MAX_WIDTH_SCALE);
     return pen;

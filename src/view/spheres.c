@@ -4,7 +4,7 @@
 
 #include "view/color.h"
 
-// sRGB; next to each other they differ in brightness as well as in hue
+// sRGB; neighbors differ in brightness as well as in hue
 static const float PALETTE[][3] = {
     {0.95f, 0.90f, 0.80f}, {0.10f, 0.22f, 0.55f}, {0.96f, 0.62f, 0.10f}, {0.08f, 0.42f, 0.38f},
     {0.94f, 0.45f, 0.42f}, {0.20f, 0.18f, 0.22f}, {0.55f, 0.78f, 0.92f}, {0.56f, 0.12f, 0.28f},
@@ -12,7 +12,7 @@ static const float PALETTE[][3] = {
 };
 enum { COLORS = sizeof PALETTE / sizeof *PALETTE };
 
-// A ball is near a scene up to this far from its middle. [half diagonals of its box]
+// A ball is near a scene up to this distance from its center. [half diagonals of its box]
 static const float NEAR = 2;
 
 void spheres_add(Picture* picture, const World* world) {

@@ -22,7 +22,7 @@ static void time_rows(Overlay* overlay, const World* world, const Status* status
     overlay_row(overlay, "time", "%.2f s%s", world_time(world), speed);
 
     if (world->guard.substeps > 1)
-        overlay_row(overlay, "step", "%g ms in %d parts", 1000 * world->step,
+        overlay_row(overlay, "step", "%g ms in %d substeps", 1000 * world->step,
                     world->guard.substeps);
     else
         overlay_row(overlay, "step", "%g ms", 1000 * world->step);
@@ -33,12 +33,12 @@ static void time_rows(Overlay* overlay, const World* world, const Status* status
 static void mode_row(Overlay* overlay, const World* world, const Picture* picture,
                      const Mode* mode) {
     if (!mode_fits_any(mode, world))
-        overlay_row(overlay, "shown", "%s, which nothing here has", mode->name);
+        overlay_row(overlay, "mode", "%s, which no balloon here has", mode->name);
     else if (mode->measure)
-        overlay_row(overlay, "shown", "%s, %g to %g%s", mode->name, (double)picture->range[0],
+        overlay_row(overlay, "mode", "%s, %g to %g%s", mode->name, (double)picture->range[0],
                     (double)picture->range[1], mode->unit);
     else
-        overlay_row(overlay, "shown", "%s", mode->name);
+        overlay_row(overlay, "mode", "%s", mode->name);
 }
 
 static bool gauge_pressure(const World* world, int balloon, double* value) {
@@ -71,7 +71,7 @@ static void balloon_row(Overlay* overlay, const World* world, int b) {
     overlay_row(overlay, label, "%s", text);
 }
 
-/// The balloon that keys act on. Rows for all of many would hide them.
+/// A row for the selected balloon only: a row for each of many would cover the picture.
 static void balloon_rows(Overlay* overlay, const World* world) {
     if (world->balloon_count == 1)
         balloon_row(overlay, world, 0);
@@ -81,7 +81,7 @@ static void balloon_rows(Overlay* overlay, const World* world) {
         overlay_row(overlay, "balloons", "%d, tab selects one", world->balloon_count);
 }
 
-/// Balls, and what they are never to do: pass through a skin.
+/// Balls, and the count of pass-throughs, which must be 0.
 static void ball_rows(Overlay* overlay, const World* world, const Thrower* thrower) {
     const Contacts* contacts = &world->contacts;
     if (contacts->sphere_count == 0 && contacts->pass_throughs == 0)
@@ -93,8 +93,7 @@ static void ball_rows(Overlay* overlay, const World* world, const Thrower* throw
     overlay_row(overlay, "pass-throughs", "%ld", contacts->pass_throughs);
 }
 
-/// The sentence at the lower rim: the state that went bad, else what the user is user_message just now,
-/// else what must not be.
+/// The sentence at the lower edge: a blowup, else the message to the user, else a pass-through.
 static void message(Overlay* overlay, const World* world, const char* user_message) {
     const long count = world->contacts.pass_throughs;
     overlay->alarm = world->blowup.halted || (!user_message[0] && count > 0);

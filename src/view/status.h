@@ -1,4 +1,4 @@
-/// What the overlay says about a world: time, step, pressure, volume, balls, and sentences.
+/// The overlay's text about a world: time, step, pressure, volume, balls, and messages.
 #ifndef BALLOON_VIEW_STATUS_H
 #define BALLOON_VIEW_STATUS_H
 
@@ -8,16 +8,16 @@
 #include "view/picture.h"
 #include "world/world.h"
 
-/// What the world does not know of the session around it.
+/// The state of the program around the world.
 typedef struct Status {
     const Mode* mode;
-    const Thrower* thrower; ///< the next ball, said once there are balls; NULL: nobody throws
-    int slowdown;           ///< the world runs this many times slower than time
+    const Thrower* thrower; ///< the next ball, printed once there are balls; NULL: none
+    int slowdown;           ///< the world runs this many times slower than wall time
     bool paused;
-    const char* compared; ///< what is said of a ghost; "": there is none
-    double frame_ms;      ///< wall time of a frame [ms]; 0: not shown
-    const char* message;  ///< a sentence for the lower rim; "": none. A blow-up comes first, and
-                          ///< a ball that passed through a skin last
+    const char* compared; ///< text about the ghost; "": there is none
+    double frame_ms;      ///< wall time of a frame [ms]; 0: no row
+    const char* message;  ///< a message to the user; "": none. A blowup precedes it, a pass-through
+                          ///< follows it
 } Status;
 
 /// Fill title, rows, message and alarm; the boxes' visibility and the keys are the caller's.

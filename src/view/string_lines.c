@@ -2,13 +2,13 @@
 
 static const float STRING_COLOR[3] = {0.30f, 0.29f, 0.30f};
 static const float STRING_WIDTH = 1.8f; // [px at 720 lines]
-// A knot is small beside its balloon. [parts of the balloon's size]
+// [of the balloon's size]
 static const float KNOT_RADIUS = 0.018f;
-// A string that hangs straight up and down bows a little to one side, as a real one does.
+// A slack vertical string bows slightly to one side, as a real one does.
 static const double4 SIDEWAYS = {0.8, 0, 0.6, 0};
 static const double SIDEWAYS_SHARE = 0.25;
 
-/// Where a slack string bows: down, as seen across its chord, and a little sideways.
+/// The unit direction of a slack string's sag: down and slightly sideways, normal to its chord.
 static double4 bow_direction(double4 chord) {
     const double4 down = {0, -1, 0, 0};
     const double4 pull = down + SIDEWAYS_SHARE * SIDEWAYS;
@@ -18,8 +18,8 @@ static double4 bow_direction(double4 chord) {
     return size > 0 ? across / size : SIDEWAYS;
 }
 
-/// How far a parabola of length l over a chord d sags. For a shallow one l = d + 8 s^2 / 3 d, and
-/// for a chord of nothing l = 2 s; s^2 = 3/16 (l^2 - d^2) meets the first and nears the second.
+/// The sag s of a parabola of length l over a chord d. A shallow one has l = d + 8 s^2 / (3 d), one
+/// without a chord l = 2 s; s^2 = 3/16 (l^2 - d^2) satisfies the first and approximates the second.
 static double sag(double free_length, double chord) {
     const double square = 3.0 / 16.0 * (free_length * free_length - chord * chord);
     return square > 0 ? sqrt(square) : 0;

@@ -6,11 +6,11 @@
 #include "world/world.h"
 
 enum {
-    STRING_SEGMENTS = 12, ///< lines that a string is drawn with
-    STRING_KNOTS = 2,     ///< balls: at the particle and at the fixed end
+    STRING_SEGMENTS = 12, ///< lines of a string
+    STRING_KNOTS = 2,     ///< balls of a string: at the particle and at the fixed end
 };
 
-/// Draw the tied strings of a balloon; they lie on the floor where they would hang below it.
+/// Draw the tied strings of a balloon. A string that would hang below the floor lies on it.
 void string_lines_add(Picture* picture, const Balloon* balloon);
 
 #endif

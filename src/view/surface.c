@@ -36,7 +36,7 @@ float surface_edge_length(const Balloon* balloon) {
     return (float)(balloon->body.scale * sum / mesh->edge_count);
 }
 
-/// Whether any has moved.
+/// Copy the positions; returns whether any has changed.
 static bool positions(PictureSkin* skin, const real4* x) {
     bool moved = false;
     for (int i = 0; i < skin->point_count; i++)
@@ -60,7 +60,7 @@ static double4 area_vector(const int face[4], const real4* x) {
 static void normals(PictureSkin* skin, const Mesh* mesh, const Body* body) {
     memset(skin->normal, 0, (size_t)skin->point_count * sizeof *skin->normal);
 
-    // in units of the body's size, so that single precision holds tiny and huge skins alike
+    // in units of the body's size, so that the sums neither underflow nor overflow single precision
     const double unit = 1 / (body->size * body->size);
     for (int f = 0; f < mesh->face_count; f++) {
         const int* face = mesh->face[f];
@@ -77,7 +77,7 @@ static void normals(PictureSkin* skin, const Mesh* mesh, const Body* body) {
             for (int k = 0; k < 3; k++)
                 n[k] /= size;
         else
-            n[1] = 1; // a point whose faces have all folded up: any direction will do
+            n[1] = 1; // all faces of the point have area 0: any direction will do
     }
 }
 

@@ -10,20 +10,22 @@ enum {
     SPEED_COUNT = sizeof SPEEDS / sizeof *SPEEDS,
 };
 
-// A first ball is small enough to dent a balloon, and large enough to be seen. [of its size]
+// Radius of the first ball: small enough to dent a balloon, large enough to be visible.
+// [of a balloon's size]
 static const double RADIUS_SHARE = 1.0 / 8;
-// On its way to what the eye looks at, it falls by no more than this. [of a balloon's size]
+// Maximum fall of the first ball between the eye and the camera's target. [of a balloon's size]
 static const double FALL_SHARE = 1.0 / 4;
-// And it is there before one waits for it. [s]
+// Maximum time of the first ball to the camera's target. [s]
 static const double MAX_FLIGHT = 0.5;
-// So far before the eye, in radii, a ball is a third of a picture of 0.6 rad high.
+// Distance of a new ball from the eye: its diameter is then a third of the height of a picture with
+// a field of view of 0.6 rad. [radii]
 static const double START_DISTANCE = 10;
-// But no farther than this. [parts of the way to what the eye looks at]
+// Upper limit of that distance. [of the distance to the camera's target]
 static const double MAX_BEFORE_EYE = 0.4;
 
 // ---- the ball ----
 
-/// The number of a list that is nearest to `target` as a ratio.
+/// The number of a rising list whose ratio to `target` is nearest to 1.
 static double nearest(const double* list, int count, double target) {
     double best = list[0];
     for (int k = 1; k < count; k++)
@@ -60,24 +62,24 @@ Thrower thrower_default(const World* world, const Camera* camera) {
             mass += (double)body->mass[i] / world->balloon_count;
     }
 
-    // a fall of g/2 (way/speed)^2 = FALL_SHARE size
-    const double way = (double)camera->distance;
-    const double fall = way * sqrt(world->contacts.gravity / (2 * FALL_SHARE * size));
+    // the speed at which the fall g/2 (distance/speed)^2 is FALL_SHARE size
+    const double distance = (double)camera->distance;
+    const double flat = distance * sqrt(world->contacts.gravity / (2 * FALL_SHARE * size));
     return (Thrower){
         .mass = nearest(MASSES, MASS_COUNT, mass),
         .radius = nearest(RADII, RADIUS_COUNT, RADIUS_SHARE * size),
-        .speed = nearest(SPEEDS, SPEED_COUNT, fmax(fall, way / MAX_FLIGHT)),
+        .speed = nearest(SPEEDS, SPEED_COUNT, fmax(flat, distance / MAX_FLIGHT)),
     };
 }
 
 // ---- the throw ----
 
-/// A line of sight, and the part of it that is open to a ball's centre.
+/// A line of sight, and the interval of it where a ball's center may be.
 typedef struct Sight {
     double4 eye;
-    double4 along; ///< of unit length
-    double from;   ///< [m] from the eye
-    double to;     ///< [m]
+    double4 along; ///< unit vector
+    double from;   ///< begin of the interval, as distance from the eye [m]
+    double to;     ///< its end [m]
 } Sight;
 
 static Sight sight_through(const Camera* camera, float aspect, const float pointer[2]) {
@@ -92,7 +94,7 @@ static Sight sight_through(const Camera* camera, float aspect, const float point
     };
 }
 
-/// Leave only what is a radius before a plane.
+/// Clip the interval to points at least a radius in front of a plane.
 static void clip_to_plane(Sight* sight, const Plane* plane, double radius) {
     const double gap = ddot(plane->normal, sight->eye - plane->point) - radius;
     const double rise = ddot(plane->normal, sight->along);
@@ -104,8 +106,8 @@ static void clip_to_plane(Sight* sight, const Plane* plane, double radius) {
         sight->to = -1;
 }
 
-/// Where the line enters a balloon's box, widened by a radius; INFINITY if it does not, or if the
-/// eye is within.
+/// Distance at which the line enters a balloon's bounding box, widened by a radius; INFINITY if it
+/// misses the box or the eye is inside.
 static double box_entry(const Sight* sight, const Body* body, double radius) {
     double4 low = to_double4(body->x[0]), high = low;
     for (int i = 0; i < body->count; i++) {
@@ -118,7 +120,7 @@ static double box_entry(const Sight* sight, const Body* body, double radius) {
 
     double enter = -INFINITY, leave = INFINITY;
     for (int k = 0; k < 3; k++) {
-        // a line that is parallel to two sides meets them at infinities, or is never between them
+        // a line parallel to two sides meets them at +-INFINITY
         const double a = (low[k] - radius - sight->eye[k]) / sight->along[k];
         const double b = (high[k] + radius - sight->eye[k]) / sight->along[k];
         enter = fmax(enter, fmin(a, b));
@@ -144,7 +146,7 @@ bool thrower_throw(const Thrower* thrower, const World* world, const Camera* cam
     if (sight.from > sight.to)
         return false;
 
-    // a little before the eye, but in front of the balloons
+    // near the eye, and in front of the balloons
     double start =
         fmin(START_DISTANCE * thrower->radius, MAX_BEFORE_EYE * (double)camera->distance);
     for (int b = 0; b < world->balloon_count; b++)

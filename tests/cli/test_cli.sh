@@ -145,7 +145,7 @@ bad "size" "$balloon" render party --size 12by9
 bad "mode" "$balloon" render party --mode x-ray --out "$scratch/m"
 bad "display" env -u DISPLAY -u WAYLAND_DISPLAY "$balloon" party
 bad "EGL" env __EGL_VENDOR_LIBRARY_DIRS=/nonexistent "$balloon" render party --seconds 0.1 --out "$scratch/e"
-usage "no such option" "$balloon" run party --colour red
+usage "no such option" "$balloon" run party --color red
 usage "needs a value" "$balloon" run party --seconds
 usage "only one" "$balloon" run party tether
 bad "went bad in step" "$balloon" run fails/long-step

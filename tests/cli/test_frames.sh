@@ -5,8 +5,8 @@ set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh
 
-# how many pixels are of a saturated colour, as balloons are and floor and sky are not
-coloured() {
+# how many pixels are of a saturated color, as balloons are and floor and sky are not
+colored() {
     convert "$1" -colorspace HSL -channel G -separate -threshold 40% -format '%[fx:mean*w*h]' info:
 }
 
@@ -23,7 +23,7 @@ printf '# balloon input 1 %s\n250 key inflate down\n1250 key inflate up\n1500 ke
 render "$scratch/first.png" 0.4 "${still[@]}" --input "$scratch/log"
 render "$scratch/grown.png" 3 "${still[@]}" --input "$scratch/log"
 render "$scratch/shrunk.png" 8 "${still[@]}" --input "$scratch/log"
-first=$(coloured "$scratch/first.png") grown=$(coloured "$scratch/grown.png") shrunk=$(coloured "$scratch/shrunk.png")
+first=$(colored "$scratch/first.png") grown=$(colored "$scratch/grown.png") shrunk=$(colored "$scratch/shrunk.png")
 ok "the balloon is there" less 1000 "$first"
 ok "it grows when blown up" less "$(awk -v a="$first" 'BEGIN { print 1.15 * a }')" "$grown"
 ok "it shrinks when let out" less "$shrunk" "$(awk -v a="$grown" 'BEGIN { print a / 1.15 }')"
@@ -60,7 +60,7 @@ for golden in tests/golden/*.png; do
     name=$(basename "$golden" .png)
     scene=${name%@*}
     render "$scratch/now.png" "${name#*@}"
-    # one bit may differ between machines; a wrong shape or colour is far above this
+    # one bit may differ between machines; a wrong shape or color is far above this
     off=$(compare -metric RMSE "$golden" "$scratch/now.png" null: 2>&1 | sed -E 's/.*\((.*)\)/\1/')
     ok "$name looks as it did ($off)" less "$off" 0.01
 done

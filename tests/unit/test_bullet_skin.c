@@ -119,7 +119,7 @@ static void near_finds_what_brute_force_finds(void** state) {
             }
 }
 
-/// Bullet 3.24 drops triangles whose area is near the rounding of 1 m^2: a skin of a millimetre
+/// Bullet 3.24 drops triangles whose area is near the rounding of 1 m^2: a skin of a millimeter
 /// would not be there at all in float, as the needles of a crumpled one.
 static void near_finds_the_smallest_triangles(void** state) {
     (void)state;

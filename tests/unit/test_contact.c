@@ -285,7 +285,7 @@ static void paths_through_moving_triangles_are_found(void** state) {
     assert_near(2 * t * 0.4, 0.3, 1e-9);
 }
 
-/// A centre within a rounding of a triangle is swept to where the state's rounding puts it, which
+/// A center within a rounding of a triangle is swept to where the state's rounding puts it, which
 /// may be on the other side while the exact path's end is not.
 static void paths_end_where_the_drift_rounds_to(void** state) {
     (void)state;

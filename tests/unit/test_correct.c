@@ -67,7 +67,7 @@ static void short_enough_springs_are_left_alone(void** state) {
 }
 
 /// Linear momentum of positions is kept by each pull between free ends.
-static void pull_keeps_the_centre_of_mass(void** state) {
+static void pull_keeps_the_center_of_mass(void** state) {
     (void)state;
     Mesh mesh;
     Body body;
@@ -153,7 +153,7 @@ int main(void) {
         cmocka_unit_test(long_spring_comes_back_to_its_limit),
         cmocka_unit_test(held_end_stays_and_free_end_takes_all),
         cmocka_unit_test(short_enough_springs_are_left_alone),
-        cmocka_unit_test(pull_keeps_the_centre_of_mass),
+        cmocka_unit_test(pull_keeps_the_center_of_mass),
         cmocka_unit_test(tarantino_rests_a_corrected_spring_for_one_step),
         cmocka_unit_test(correction_constrains_a_blown_up_balloon),
     };

@@ -122,7 +122,7 @@ static void a_ball_behind_shows_only_through_stretched_rubber(void** state) {
     assert_less(60, change[1]);
 }
 
-static void a_field_is_drawn_in_its_own_colours(void** state) {
+static void a_field_is_drawn_in_its_own_colors(void** state) {
     (void)state;
     drawn.skin.paint = PAINT_FIELD;
     draw(pixels);
@@ -212,7 +212,7 @@ int main(void) {
         cmocka_unit_test_setup(a_size_drawn_before_another_leaves_no_trace, set_up),
         cmocka_unit_test_setup(stretched_rubber_is_paler, set_up),
         cmocka_unit_test_setup(a_ball_behind_shows_only_through_stretched_rubber, set_up),
-        cmocka_unit_test_setup(a_field_is_drawn_in_its_own_colours, set_up),
+        cmocka_unit_test_setup(a_field_is_drawn_in_its_own_colors, set_up),
         cmocka_unit_test_setup(a_line_on_the_skin_is_seen_in_front_and_not_behind, set_up),
         cmocka_unit_test_setup(a_faint_shape_veils_a_line_within_and_hides_none, set_up),
         cmocka_unit_test_setup(what_is_selected_glows_around_and_nowhere_else, set_up),

@@ -116,7 +116,7 @@ static void exact_cube_of(Mesh* mesh, Body* body) {
     body->force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.02;
 }
 
-/// Its distance from centre to corner after the steps.
+/// Its distance from center to corner after the steps.
 static double exact_cube(double h, int steps) {
     Mesh mesh;
     Body body;

@@ -6,7 +6,7 @@ static void the_overlay_says_the_same_twice_and_stays_in_its_corner(void** state
     (void)state;
     Fault fault = {0};
     assert_true(hud_open(1, &fault));
-    Overlay overlay = {.shown = true, .title = "title"};
+    Overlay overlay = {.status_visible = true, .title = "title"};
     overlay_row(&overlay, "label", "%d", 42);
     Pixels* both[2] = {&pixels, &others};
     for (int i = 0; i < 2; i++) {
@@ -72,10 +72,10 @@ static void the_status_box_gives_way(void** state) {
         (OverlayKey){"key", "what a key does, in so many words as these"};
     for (int width = 500; width <= 640; width += 140)
         for (int help = 0; help < 2; help++) {
-            overlay.help_shown = help;
+            overlay.help_visible = help;
             renderer_resize(renderer, width, HEIGHT);
             for (int on = 0; on < 2; on++) {
-                overlay.shown = on;
+                overlay.status_visible = on;
                 renderer_draw(renderer, &drawn.picture);
                 hud_draw(&overlay, width, HEIGHT);
                 renderer_read(renderer, large[on][0][0]);
@@ -125,7 +125,7 @@ static void a_cell_of_the_map_is_found_where_it_is_drawn(void** state) {
             }
         assert_true(painted > 50 && both == painted && painted > found * 7 / 10);
     }
-    overlay.help_shown = true;
+    overlay.help_visible = true;
     assert_false(hud_cell(&overlay, WIDE, HIGH, (const float[]){0.85f, 0.1f}, (int[2]){0}));
     hud_close();
 }

@@ -93,9 +93,9 @@ static void what_a_balloon_has_not_is_not_plotted(void** state) {
         const LabPanel* panel = live_lab_update(lab, &world, false, 0);
         assert_null(plot(panel, "volume"));
         assert_non_null(plot(panel, "pressure"));
-        assert_true((plot(panel, "a step") != NULL) == timed);
+        assert_true((plot(panel, "step cost") != NULL) == timed);
         if (timed)
-            assert_true(plot(panel, "a step")->y[1] > 0);
+            assert_true(plot(panel, "step cost")->y[1] > 0);
         live_lab_close(lab);
     }
     world_close(&world);
@@ -187,7 +187,7 @@ static void a_cost_far_above_the_rest_is_cut(void** state) {
         world_step(&world);
     }
     history_plot(&history, &panel);
-    const LabPlot* cost = plot(&panel, "a step");
+    const LabPlot* cost = plot(&panel, "step cost");
     for (int k = 0; k < 20; k++)
         assert_near(cost->y[k], k == 7 ? 8 : k % 2 + 1, 1e-6);
     world_close(&world);
@@ -230,7 +230,7 @@ static void a_slider_says_what_is_known(void** state) {
     slider.advice.outputs = 1;
     slider.advice.reference[0] = 1;
     slider_fill(&slider, &world, 2, false, &panel);
-    assert_int_equal(panel.at, 2);
+    assert_int_equal(panel.notch, 2);
     assert_non_null(strstr(panel.line[1], "5 ms a frame"));
     assert_non_null(strstr(panel.line[2], "not yet known"));
 

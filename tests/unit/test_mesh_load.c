@@ -210,7 +210,7 @@ static void many_groups_cost_nothing(void** state) {
     for (int i = 0; i <= N; i++)
         fprintf(out, "v %d 0 0\nv %d 1 0\n", i, i);
     for (int i = 0; i < N; i++)
-        fprintf(out, "o part%d\ng group%d\nusemtl colour%d\nf %d %d %d %d\n", i, i, i, 2 * i + 1,
+        fprintf(out, "o part%d\ng group%d\nusemtl color%d\nf %d %d %d %d\n", i, i, i, 2 * i + 1,
                 2 * i + 3, 2 * i + 4, 2 * i + 2);
     fclose(out);
     Mesh mesh;

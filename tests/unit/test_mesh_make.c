@@ -56,7 +56,7 @@ static bool face_has_side(const int face[4], int a, int b) {
     return false;
 }
 
-/// An edge runs forward in its first face and back in its second: neighbours are wound alike.
+/// An edge runs forward in its first face and back in its second: neighbors are wound alike.
 static void check_edges(const char* name, const Mesh* mesh) {
     (void)name;
     int sides = 0;
@@ -150,9 +150,9 @@ static void quads_are_split_along_their_shorter_diagonal(void** state) {
     }
 }
 
-/// However a file numbers its points, neighbours come to lie within one front of a flood: some
+/// However a file numbers its points, neighbors come to lie within one front of a flood: some
 /// multiple of the square root of their number, where a file's order may be anything.
-static void neighbours_lie_close_in_memory(void** state) {
+static void neighbors_lie_close_in_memory(void** state) {
     (void)state;
     Mesh mesh;
     load("cube-sphere:40", &mesh);
@@ -166,10 +166,10 @@ static void order_takes_every_component(void** state) {
     (void)state;
     //      0 - 2 - 4    1 - 5    3
     const int from[] = {0, 1, 2, 4, 4, 5, 6};
-    const int neighbour[] = {2, 5, 0, 4, 2, 1};
+    const int neighbor[] = {2, 5, 0, 4, 2, 1};
     const int want[] = {3, 0, 2, 4, 1, 5};
     int loaded[6];
-    reorder_points(6, from, neighbour, loaded);
+    reorder_points(6, from, neighbor, loaded);
     for (int i = 0; i < 6; i++)
         assert_int_equal(loaded[i], want[i]);
 }
@@ -182,7 +182,7 @@ int main(void) {
         cmocka_unit_test(points_know_their_faces_and_edges),
         cmocka_unit_test(triangles_cover_the_faces),
         cmocka_unit_test(quads_are_split_along_their_shorter_diagonal),
-        cmocka_unit_test(neighbours_lie_close_in_memory),
+        cmocka_unit_test(neighbors_lie_close_in_memory),
         cmocka_unit_test(order_takes_every_component),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-/// What a display mode shows of the world, in its colours.
+/// What a display mode shows of the world, in its colors.
 #include "force/force.h"
 #include "studio.h"
 #include "view/color.h"
@@ -139,7 +139,7 @@ static void the_ends_of_a_scale_hold_what_is_between(void** state) {
     }
 }
 
-static void the_scale_of_colours_grows_brighter(void** state) {
+static void the_scale_of_colors_grows_brighter(void** state) {
     (void)state;
     double before = -1;
     for (int k = 0; k <= 100; k++) {
@@ -180,7 +180,7 @@ int main(void) {
         cmocka_unit_test(every_mode_draws_finite_numbers),
         cmocka_unit_test(the_springs_mode_draws_each_spring_that_faces_the_eye),
         cmocka_unit_test(the_ends_of_a_scale_hold_what_is_between),
-        cmocka_unit_test(the_scale_of_colours_grows_brighter),
+        cmocka_unit_test(the_scale_of_colors_grows_brighter),
         cmocka_unit_test(mode_names_are_found_and_walked_round),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -114,7 +114,7 @@ static void coarse_energy_is_the_fine_one(void** state) {
 }
 
 /// Nodes of the coarser level that all turn about one axis turn the finer ones about it, each
-/// through a place among its neighbours, whatever the axis.
+/// through a place among its neighbors, whatever the axis.
 static void turning_all_turns_each(void** state) {
     (void)state;
     Fixture f;

@@ -11,7 +11,7 @@ static void normals_are_unit_and_point_outward(void** state) {
         // single precision, one square root and one division
         assert_near(dot3(skin->normal[i], skin->normal[i]), 1, 1e-6);
 
-        // the shape is centred on the origin; the faces around a point of a sphere of eight quads a
+        // the shape is centerd on the origin; the faces around a point of a sphere of eight quads a
         // side lean at most half a quad, some 6 degrees, from the radius
         const double radius = sqrt(dot3(skin->position[i], skin->position[i]));
         assert_less(0.99, dot3(skin->normal[i], skin->position[i]) / radius);

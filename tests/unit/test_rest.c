@@ -138,7 +138,7 @@ static void open_membrane(World* world, double gravity, double inflation) {
     body_slice(&world->balloon[0].body);
 }
 
-/// From the axis through the ball's centre.
+/// From the axis through the ball's center.
 static double radius_of(double4 x) {
     return sqrt(x[0] * x[0] + x[2] * x[2]);
 }

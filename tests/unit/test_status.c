@@ -27,7 +27,7 @@ static void a_mode_of_rubber_passes_springs_by(void** state) {
     Overlay overlay = {0};
     const Status status = {.mode = &mode_thickness, .slowdown = 1, .message = ""};
     status_fill(&overlay, &studio.world, &studio.picture, &status);
-    assert_string_equal(row(&overlay, "shown"), "thickness, which nothing here has");
+    assert_string_equal(row(&overlay, "mode"), "thickness, which no balloon here has");
     studio_close(&studio);
 }
 
@@ -39,7 +39,7 @@ static void a_scale_says_its_ends_and_unit(void** state) {
     const Status status = {.mode = &mode_thickness, .slowdown = 1, .message = ""};
     picture_update(&studio.picture, &studio.world, &studio.camera, status.mode);
     status_fill(&overlay, &studio.world, &studio.picture, &status);
-    assert_string_equal(row(&overlay, "shown"), "thickness, 0.25 to 0.3 mm");
+    assert_string_equal(row(&overlay, "mode"), "thickness, 0.25 to 0.3 mm");
     studio_close(&studio);
 }
 

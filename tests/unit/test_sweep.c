@@ -1,4 +1,4 @@
-/// The one pass over neighbourhoods: what is in its slots, and what it finds against plain loops.
+/// The one pass over neighborhoods: what is in its slots, and what it finds against plain loops.
 #include "base/cpu.h"
 #include "bodies.h"
 #include "body/extent.h"

@@ -239,7 +239,7 @@ ok "a run with that replays it to the same bits" again "$scratch/log.2"
 # on a busy machine the cell is opened before the first step; then there is nothing to replay
 whole() { grep -q '^# 0 steps of ' "$1" || again "$1"; }
 ok "the log before is whole" whole "$scratch/log"
-exploded() { # a point of the map that is of the colour of cells that exploded
+exploded() { # a point of the map that is of the color of cells that exploded
     shot && convert "$file" txt:- | grep -im1 '#CB181D' >"$scratch/point"
 }
 ok "the map is measured" until_true exploded

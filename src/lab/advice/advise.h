@@ -9,7 +9,7 @@
 ///     promise ADVISE_MARGIN error + floor                                                    [1]
 ///
 /// An error is never taken for less than what the step's and the mesh's parts of it are alone,
-/// which neighbouring points tell: that they cancel is luck. The reference is what two finer runs
+/// which neighboring points tell: that they cancel is luck. The reference is what two finer runs
 /// of the scene's own method tell of no step at all, order 1, and two levels of the mesh of endless
 /// fineness, order 2; the floor is a tenth of how far the finest run is off that, 1e-4 at least.
 /// Steps are 1/60 s halved again and again, from where the guard does not split them, until the

@@ -17,7 +17,7 @@ static const double cost_most = 1500;
 static const double told_apart = 0.9;
 /// Of scenes a little off nothing is promised closer than this. [1]
 static const double closest_promise = 1e-4;
-/// What an error may be more than it seems where no neighbour tells. [1]
+/// What an error may be more than it seems where no neighbor tells. [1]
 static const double unknown = 2;
 /// Errors above this are not those of a float's rounding. [1]
 static const double rounding_most = 2e-3;
@@ -241,7 +241,7 @@ static double apart(const Study* study, const double value[], const double other
 
 /// Of the points with the same method and precision: on the level above with the same step, or on
 /// the same level with the nearest step on one side. NONE: there is none that came to its end.
-static int neighbour(const Study* study, int k, int level, int side) {
+static int neighbor(const Study* study, int k, int level, int side) {
     const AdvicePoint* point = study->advice->point;
     int best = NONE;
     for (int q = 0; q < study->advice->count; q++) {
@@ -263,8 +263,8 @@ static int neighbour(const Study* study, int k, int level, int side) {
 /// 2 in the mesh, 3/4 of it to the level above.
 static double without_luck(const Study* study, int k) {
     const AdvicePoint* point = study->advice->point;
-    const int shorter = neighbour(study, k, 0, -1), longer = neighbour(study, k, 0, 1);
-    const int denser = neighbour(study, k, 1, 0), other = shorter != NONE ? shorter : longer;
+    const int shorter = neighbor(study, k, 0, -1), longer = neighbor(study, k, 0, 1);
+    const int denser = neighbor(study, k, 1, 0), other = shorter != NONE ? shorter : longer;
     double error = point[k].error * (other == NONE && denser == NONE ? unknown : 1);
     if (other != NONE)
         error = fmax(error, apart(study, study->value[k], study->value[other]) /

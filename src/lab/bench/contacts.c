@@ -39,7 +39,7 @@ typedef struct Sum {
     int peer_throws, peer_through;
 } Sum;
 
-/// Whether the path of the ball's centre goes through a triangle in a step from `before` to
+/// Whether the path of the ball's center goes through a triangle in a step from `before` to
 /// `after`, which hold the points and behind them the ball.
 static bool passes(const Mesh* mesh, const double4* before, const double4* after) {
     const int ball = mesh->point_count;

@@ -70,7 +70,7 @@ static double4 vector_at(const Report* report, const char* const name[3], int ro
                      report_at(report, name[2], row), 0};
 }
 
-/// Largest acceleration of the centre of mass between rows, from its places in three. [m/s^2]
+/// Largest acceleration of the center of mass between rows, from its places in three. [m/s^2]
 static double self_acceleration(const Report* report, double at) {
     (void)at;
     double most = 0;
@@ -83,7 +83,7 @@ static double self_acceleration(const Report* report, double at) {
     return most;
 }
 
-/// Largest angular momentum about its own centre over a thin shell's 2/3 m r^2 [rad/s].
+/// Largest angular momentum about its own center over a thin shell's 2/3 m r^2 [rad/s].
 static double self_spin(const Report* report, double at) {
     (void)at;
     static const char* const about_origin[] = {"balloon0.lx", "balloon0.ly", "balloon0.lz"};

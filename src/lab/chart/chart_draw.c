@@ -16,7 +16,7 @@ static const double error_most = 10, error_least = 1e-2;
 /// How far below the upper edge those are that fell. [1]
 static const double edge = 1.15;
 
-/// Okabe and Ito's colours, which everyone can tell apart: the peer's, then the methods'.
+/// Okabe and Ito's colors, which everyone can tell apart: the peer's, then the methods'.
 static const char* const color_table[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
                                           "#e69f00", "#56b4e9", "#000000"};
 enum { COLORS = sizeof color_table / sizeof *color_table };

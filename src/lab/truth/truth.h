@@ -157,7 +157,7 @@ double truth_euler_frequency(double w, double h);
 double truth_chain(double stiffness, double mass, int n, int j);
 
 /// The cube of 8 particles blown up by the mass-spring paper's `area` law: by symmetry one degree
-/// of freedom, the distance r of a corner from the centre, and a linear one. With the side
+/// of freedom, the distance r of a corner from the center, and a linear one. With the side
 /// s = 2 r/sqrt(3):
 ///
 ///     springs  3 edges at a corner and 3 diagonals, along r: -(2 ks + 4 kd) (r - r0)

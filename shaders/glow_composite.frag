@@ -1,4 +1,4 @@
-// The glow over the picture, outside the shape.
+// The glow, blended over the picture outside the shape.
 uniform sampler2D blurred;
 
 in vec2 at;
