@@ -12,7 +12,7 @@ for scene in assets/scenes/*.yaml; do
             "$build/$program" run "$scene" --seconds 2 --time --quiet |
                 sed -nE 's/.*: ([0-9.]+) ms per simulated second/\1/p'
         done | sort -n | sed -n 2p)
-        particles=$("$build/$program" run "$scene" --seconds 0.001 --obj /dev/stdout --quiet | grep -c '^v ')
+        particles=$("$build/$program" run "$scene" --seconds 0.001 --mesh /dev/stdout --quiet | grep -c '^v ')
         awk -v scene="$(basename "$scene" .yaml)" -v state="${program#balloon}" -v n="$particles" -v ms="$ms" \
             'BEGIN { printf "%-24s %-7s %10d %16.3f %10.1f\n", scene, state == "" ? "float" : "double", n, ms, 1000 / ms }'
     done

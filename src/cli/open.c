@@ -59,6 +59,8 @@ static bool open_copy(const Options* options, const char* method, Sets* sets, Wo
     if (!all_sets(options, method, sets, fault) ||
         !scene_load(target, sets->set, sets->count, &def, fault))
         return false;
+    if (!options->quiet && !method)
+        scene_say_renamed(&def);
 
     const bool is_double = sizeof(real) == sizeof(double);
     if (def.precision != PRECISION_ANY && (def.precision == PRECISION_DOUBLE) != is_double) {

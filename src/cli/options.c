@@ -12,6 +12,7 @@ typedef struct Option {
     size_t text;     ///< offset of a const char* in Options
     size_t flag;     ///< offset of a bool in Options
     const char* key; ///< the scene's key that it sets
+    const char* old; ///< earlier name, which is still read; NULL: none
 } Option;
 
 #define TEXT(field) .text = offsetof(Options, field)
@@ -29,7 +30,7 @@ static const Option option_table[] = {
     {"--input",     "FILE",     "replay an input log",                             TEXT(input)},
     {"--record",    "FILE",     "write the session's input log",                   TEXT(record)},
     {"--csv",       "FILE",     "numbers, one row a frame; - for standard output", TEXT(csv)},
-    {"--obj",       "FILE",     "the skins at the end",                            TEXT(obj)},
+    {"--mesh",      "FILE",     "the skins at the end, as .obj",                   TEXT(mesh), .old = "--obj"},
     {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages",           FLAG(time)},
     {"--report",    NULL,       "run, peer: one last line of KEY=VALUE, for programs", FLAG(report)},
@@ -99,11 +100,20 @@ static bool apply_option(Options* options, const Option* option, const char* val
     return true;
 }
 
+static bool is_named(const char* option, const char* name, size_t length) {
+    return option && strlen(option) == length && strncmp(option, name, length) == 0;
+}
+
+/// The row of an option's name; an earlier name is read with a sentence on stderr.
 static const Option* find_option(const char* name, size_t length) {
-    for (int k = 0; k < OPTIONS; k++)
-        if (strlen(option_table[k].name) == length &&
-            strncmp(option_table[k].name, name, length) == 0)
+    for (int k = 0; k < OPTIONS; k++) {
+        if (is_named(option_table[k].name, name, length))
             return &option_table[k];
+        if (is_named(option_table[k].old, name, length)) {
+            fprintf(stderr, "balloon: %s is now %s\n", option_table[k].old, option_table[k].name);
+            return &option_table[k];
+        }
+    }
     return NULL;
 }
 

@@ -17,7 +17,7 @@ typedef struct Options {
     const char* input;
     const char* record;
     const char* csv;
-    const char* obj;
+    const char* mesh;
     const char* mode;
     const char* fit;
     const char* threads;

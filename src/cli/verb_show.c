@@ -68,7 +68,7 @@ bool verb_run(const Options* options, Fault* fault) {
     Ghost ghost = {0};
     Sets sets;
     RunOptions run_options = {.csv = options->csv,
-                              .obj = options->obj,
+                              .obj = options->mesh,
                               .input = options->input,
                               .record = options->record,
                               .time = options->time,

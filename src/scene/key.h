@@ -30,6 +30,7 @@ typedef struct Key Key;
 struct Key {
     Parameter is;
     KeyType type;
+    const char* old;         ///< earlier name, which is still read; NULL: none
     const char* of;          ///< row of the table that the group's `selector` names; NULL: of all
     size_t offset;           ///< of the field in the group's struct
     bool required;           ///< of each mapping that may hold it

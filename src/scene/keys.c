@@ -134,8 +134,9 @@ static const Key world_row[] = {
      .group = &solver_keys},
     {{"show", NO_NUMBER, "the display mode at the start: one of `balloon list`"}, KEY_TEXT, AT(show),
      .absent = "`skin`", .longest = WORD_LONGEST},
-    {{"rest", "1/s", 0, 1, false, false, false, 0, "a balloon sleeps once each of its particles has been slower than "
-      "this many of its sizes a second for half a second; 0: none sleeps"}, KEY_NUMBER, AT(rest)},
+    {{"sleep_threshold", "1/s", 0, 1, false, false, false, 0, "a balloon sleeps once each of its particles has been slower than "
+      "this many of its sizes a second for half a second; 0: none sleeps"}, KEY_NUMBER, AT(sleep_threshold),
+     .old = "rest"},
     {{"seconds", "s", POSITIVE, 10, "how long headless runs last"}, KEY_NUMBER, AT(seconds)},
     {{"camera", NO_NUMBER, "where the eye is"}, KEY_POINTER, AT(camera), .group = &camera_keys,
      .absent = "the whole scene is in sight"},

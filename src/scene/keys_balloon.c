@@ -95,9 +95,11 @@ static const Key inflation_row[] = {
       "the pressure `unit`"}, KEY_NUMBER,
      AT(amount)},
     {{"rate", "of amount/s", NOT_NEGATIVE, NAN, "change while the key is held"}, KEY_NUMBER, AT(rate),
-     .absent = "a tenth of the range from `least` to `most`"},
-    {{"least", "of amount", ANY, 0, "smallest amount that the keys reach"}, KEY_NUMBER, AT(least)},
-    {{"most", "of amount", ANY, NAN, "largest amount that the keys reach"}, KEY_NUMBER, AT(most),
+     .absent = "a tenth of the range from `min` to `max`"},
+    {{"min", "of amount", ANY, 0, "smallest amount that the keys reach"}, KEY_NUMBER, AT(min),
+     .old = "least"},
+    {{"max", "of amount", ANY, NAN, "largest amount that the keys reach"}, KEY_NUMBER, AT(max),
+     .old = "most",
      .absent = "ten times the amount, or 100 where that is not above 0"},
     {{"ambient", "Pa", NOT_NEGATIVE, 101325, "gas: pressure outside"}, KEY_OPTIONAL, AT(ambient)},
     {{"unit", "Pa", POSITIVE, NAN, "gas: pressure of amount 1 in the first volume"}, KEY_OPTIONAL,
@@ -117,8 +119,8 @@ static const Key inflation_row[] = {
 #undef DEF
 static const KeyGroup inflation_keys = GROUP(inflation_row, InflationDef);
 
-#define DEF CorrectionDef
-static const Key correction_row[] = {
+#define DEF StrainLimitDef
+static const Key strain_limit_row[] = {
     {{"structural", "1", NOT_NEGATIVE, 0, "largest strain of structural springs; 0: not limited"},
      KEY_NUMBER, AT(structural)},
     {{"shear", "1", NOT_NEGATIVE, 0, "the same of shear springs"}, KEY_NUMBER, AT(shear)},
@@ -128,7 +130,7 @@ static const Key correction_row[] = {
     {{"phantom", NO_NUMBER, "positions move and velocities do not"}, KEY_FLAG, AT(phantom)},
 };
 #undef DEF
-static const KeyGroup correction_keys = GROUP(correction_row, CorrectionDef);
+static const KeyGroup strain_limit_keys = GROUP(strain_limit_row, StrainLimitDef);
 
 #define DEF StringDef
 static const Key string_row[] = {
@@ -152,8 +154,8 @@ static const Key balloon_row[] = {
     {{"size", "m", POSITIVE, NAN, "the model is centered on the origin and its longest side scaled to "
       "this"}, KEY_NUMBER, AT(size), .absent = "the model's own"},
     {{"scale", "1", POSITIVE, 1, "factor on the model's points"}, KEY_NUMBER, AT(scale)},
-    {{"turn", "degrees", ANY, 0, "rotation about y, before the position is added"}, KEY_NUMBER,
-     AT(turn)},
+    {{"rotation", "degrees", ANY, 0, "rotation about y, before the position is added"}, KEY_NUMBER,
+     AT(rotation), .old = "turn"},
     {{"color", "1", 0, 1, false, false, false, NAN, "red, green and blue in sRGB"}, KEY_VECTOR, AT(color),
      .absent = "the palette's next"},
     {{"skin", NO_NUMBER, "what holds the particles together"}, KEY_MAPPING, AT(skin),
@@ -164,8 +166,8 @@ static const Key balloon_row[] = {
     {{"hold_rim", NO_NUMBER, "the rim of an open mesh does not move"}, KEY_FLAG, AT(hold_rim)},
     {{"inflation", NO_NUMBER, "the pressure inside"}, KEY_POINTER, AT(inflation),
      .group = &inflation_keys},
-    {{"correction", NO_NUMBER, "strain limiting of over-stretched springs"},
-     KEY_POINTER, AT(correction), .group = &correction_keys},
+    {{"strain_limit", NO_NUMBER, "strain limiting of over-stretched springs"},
+     KEY_POINTER, AT(strain_limit), .old = "correction", .group = &strain_limit_keys},
     {{"strings", NO_NUMBER, "strings to fixed points"}, KEY_LIST, AT(strings),
      COUNT(strings_count), .group = &string_keys},
 };

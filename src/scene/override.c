@@ -180,27 +180,45 @@ static int make_value(const Put* put, const char* text) {
     return 0;
 }
 
-bool tree_set(SceneTree* tree, int index, Fault* fault) {
-    const char* text = tree->set[index].text;
-    char place[sizeof fault->place];
-    snprintf(place, sizeof place, "--set %s", text);
+enum { FAULT_PLACE = sizeof((Fault*)0)->place };
 
+static void place_of(const SceneTree* tree, int index, char place[FAULT_PLACE]) {
+    snprintf(place, FAULT_PLACE, "--set %s", tree->set[index].text);
+}
+
+bool tree_set_path(const SceneTree* tree, int index, char path[256], const char** value,
+                   Fault* fault) {
+    const char* text = tree->set[index].text;
+    char place[FAULT_PLACE];
+    place_of(tree, index, place);
     const char* equals = strchr(text, '=');
     if (!equals || equals == text)
         return fault_set(fault, place, "this is not KEY=VALUE, as in step=0.001");
-    char path[256];
-    if (snprintf(path, sizeof path, "%.*s", (int)(equals - text), text) >= (int)sizeof path)
+    if (snprintf(path, 256, "%.*s", (int)(equals - text), text) >= 256)
         return fault_set(fault, place, "there is no key as long as this");
+    *value = equals + 1;
+    return true;
+}
 
+bool tree_set(SceneTree* tree, int index, const char* path, const char* value, Fault* fault) {
+    char place[FAULT_PLACE];
+    place_of(tree, index, place);
     const Put put = {.tree = tree,
                      .place = place,
                      .path = path,
                      .mark = {.line = TREE_SET_LINE + (size_t)index},
                      .fault = fault};
-    if (strcmp(equals + 1, "~") == 0)
+    if (strcmp(value, "~") == 0)
         return remove_node(&put);
-    const int value = make_value(&put, equals + 1);
-    return value && put_node(&put, value);
+    const int node = make_value(&put, value);
+    return node && put_node(&put, node);
+}
+
+void tree_set_key(SceneTree* tree, int mapping, int pair, const char* name) {
+    const int before = tree_node(tree, mapping)->data.mapping.pairs.start[pair].key;
+    const Put put = {.tree = tree, .mark = tree_node(tree, before)->start_mark};
+    const int key = make_text(&put, name, strlen(name));
+    tree->document.nodes.start[mapping - 1].data.mapping.pairs.start[pair].key = key;
 }
 
 bool tree_set_text(SceneTree* tree, const char* path, const char* text, Fault* fault) {

@@ -38,9 +38,9 @@ static bool tied_without_skin(const WorldDef* world, const BalloonDef* balloon) 
     return balloon->strings_count > 0 && !balloon->skin.springs && !balloon->skin.membrane;
 }
 
-static bool corrected_without_springs(const WorldDef* world, const BalloonDef* balloon) {
+static bool limited_without_springs(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
-    return balloon->correction && !balloon->skin.springs;
+    return balloon->strain_limit && !balloon->skin.springs;
 }
 
 static bool tied_to_no_floor(const WorldDef* world, const BalloonDef* balloon) {
@@ -78,7 +78,7 @@ static bool less_than_no_gas(const WorldDef* world, const BalloonDef* balloon) {
 static bool no_way_to_go(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
     const InflationDef* inflation = balloon->inflation;
-    return inflation && inflation->most != 0 && inflation->most <= inflation->least;
+    return inflation && inflation->max != 0 && inflation->max <= inflation->min;
 }
 
 // clang-format off
@@ -94,11 +94,11 @@ static const Rule rule_table[] = {
                 "give it `to`, or the scene a floor", tied_to_no_floor},
     {"strings", "`at` must be nearest, lowest, highest or the number of a particle",
      tied_at_no_particle},
-    {"correction", "correction needs springs to correct", corrected_without_springs},
+    {"strain_limit", "a strain limit needs springs", limited_without_springs},
     {"inflation", "ambient, unit, temperature, adiabatic, filling, leak and vent are for the law gas",
      gas_words_without_gas},
     {"inflation.amount",  "there is no gas of less than nothing", less_than_no_gas},
-    {"inflation.most",    "most must be greater than least", no_way_to_go},
+    {"inflation.max",     "max must be greater than min", no_way_to_go},
 };
 // clang-format on
 

@@ -7,9 +7,10 @@
 
 #include "base/memory.h"
 #include "scene/find.h"
-#include "scene/validate.h"
+#include "scene/rename.h"
 #include "scene/rules.h"
 #include "scene/tree.h"
+#include "scene/validate.h"
 
 enum { SCENE_BYTES_MAX = 1 << 18 }; ///< [bytes] some hundred balloons
 
@@ -48,10 +49,20 @@ static bool read_tree(const SceneSource* source, SceneTree* tree, Fault* fault) 
     return good;
 }
 
-static bool set_all(SceneTree* tree, int set_count, Fault* fault) {
-    for (int i = 0; i < set_count; i++)
-        if (!tree_set(tree, i, fault))
+// Put the overrides in, all by present names.
+static bool set_all(SceneTree* tree, int set_count, const Renamed* renamed, Fault* fault) {
+    rename_tree(tree, renamed);
+    for (int i = 0; i < set_count; i++) {
+        char path[PATH_LONGEST];
+        const char* value;
+        if (!tree_set_path(tree, i, path, &value, fault))
             return false;
+        rename_path(path, renamed);
+        if (!tree_set(tree, i, path, value, fault))
+            return false;
+    }
+    if (set_count > 0)
+        rename_tree(tree, renamed);
     return true;
 }
 
@@ -64,7 +75,9 @@ static bool load(const char* name, const SceneSet* set, int set_count, bool for_
         return false;
 
     SceneTree tree = {.file = source.file, .numbered = !source.model[0], .set = set};
-    const bool good = read_tree(&source, &tree, fault) && set_all(&tree, set_count, fault) &&
+    const Renamed renamed = {def->renamed, sizeof def->renamed};
+    const bool good = read_tree(&source, &tree, fault) &&
+                      set_all(&tree, set_count, &renamed, fault) &&
                       validate_scene(&tree, def, fault) && rules_hold(def, &tree, fault);
     if (good)
         snprintf(def->file, sizeof def->file, "%s", tree.file);
@@ -100,6 +113,11 @@ char* scene_text(const char* name, const SceneSet* set, int set_count, bool for_
     if (load_with_points(name, set, set_count, for_people, &text, &def, fault))
         scene_free(&def);
     return text;
+}
+
+void scene_say_renamed(const WorldDef* def) {
+    if (def->renamed[0])
+        fprintf(stderr, "balloon: %s: keys have new names: %s\n", def->file, def->renamed);
 }
 
 void scene_free(WorldDef* def) {

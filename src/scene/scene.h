@@ -86,8 +86,8 @@ typedef struct InflationDef {
     InflationLaw law; ///< required
     double amount; ///< area: k_normal; pressure: [Pa] gauge; gas: parts of what fills V0 at `unit`
     double rate;   ///< amount per second while the key is held; 0: a tenth of the range
-    double least;  ///< the keys stop here
-    double most;   ///< and here; 0: ten times the amount, or 100 where that is not above 0
+    double min;    ///< the keys stop here
+    double max;    ///< and here; 0: ten times the amount, or 100 where that is not above 0
     double* ambient;     ///< gas: pressure outside [Pa]; NULL: 101325
     double* unit;        ///< gas: pressure of amount 1 in V0 [Pa]; NULL: ambient's, or
                          ///< 101325 where that is 0
@@ -109,13 +109,13 @@ typedef struct StringDef {
 } StringDef;
 
 /// Thresholds: how far over its rest length a spring may stretch, as a ratio; 0: not corrected.
-typedef struct CorrectionDef {
+typedef struct StrainLimitDef {
     double structural;
     double shear;
     double flexion;
     bool tarantino; ///< a spring that was corrected exerts no force in the next step
     bool phantom;   ///< velocities are left as they were before
-} CorrectionDef;
+} StrainLimitDef;
 
 typedef struct BalloonDef {
     char* model;      ///< a shape, or an .obj beside the scene or in assets/models; required
@@ -123,7 +123,7 @@ typedef struct BalloonDef {
     double size;      ///< first the model is centred on the origin and its longest side scaled to
                       ///< this length; 0: it stays where and as it is
     double scale;     ///< factor on the model's points; default 1
-    double turn;      ///< [degrees] about y, before the position is added
+    double rotation;  ///< [degrees] about y, before the position is added
     double* color;    ///< [3] sRGB, 0…1; NULL: the next of the palette
     SkinDef skin;
     MassDef* mass; ///< required, but for a membrane, which has its rubber's
@@ -131,7 +131,7 @@ typedef struct BalloonDef {
     InflationDef* inflation;
     double* force[FORCES_MAX]; ///< parameters of each row of the table of forces that has some, as
                                ///< the key of its name gives them [FORCE_PARAMETERS_MAX]
-    CorrectionDef* correction;
+    StrainLimitDef* strain_limit;
     StringDef* strings;
     unsigned strings_count;
 } BalloonDef;
@@ -216,9 +216,9 @@ typedef struct WorldDef {
     Precision precision;
     char* method; ///< a row of the method table; NULL: its first
     SolverDef solver;
-    char* show;     ///< the display mode to begin with; NULL: skin
-    double rest;    ///< slower than so many of its sizes a second a balloon rests; 0: never [1/s]
-    double seconds; ///< [s] how long headless runs last without --seconds; default 10
+    char* show;             ///< the display mode to begin with; NULL: skin
+    double sleep_threshold; ///< a balloon sleeps below this speed over its size; 0: never [1/s]
+    double seconds;         ///< [s] how long headless runs last without --seconds; default 10
     CameraDef* camera;
     AboutDef* about;
     unsigned about_count;
@@ -235,8 +235,9 @@ typedef struct WorldDef {
     BalloonDef* balloons; ///< at least one, required
     unsigned balloons_count;
 
-    char file[512]; ///< where it came from, for messages and for models beside it
-    Pool pool;      ///< memory of all pointers above; scene_free() frees it
+    char file[512];    ///< where it came from, for messages and for models beside it
+    char renamed[256]; ///< keys by earlier names: "turn is now rotation, …"; "": none
+    Pool pool;         ///< memory of all pointers above; scene_free() frees it
 } WorldDef;
 
 /// One `--set KEY=VALUE`: any key of the scene by its path, and its new value in YAML, as in
@@ -252,6 +253,9 @@ typedef struct SceneSet {
 /// Unknown keys, wrong types, unknown names and numbers out of range are faults with file and line,
 /// or with the override that brought them in.
 bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault);
+
+/// One sentence on stderr where a scene has keys by earlier names, which are read all the same.
+void scene_say_renamed(const WorldDef* def);
 
 /// The scene with its overrides as YAML again, for people or with nothing left to guess: scalars in
 /// quotes. The caller frees it; NULL with a fault where scene_load has one.

@@ -35,8 +35,15 @@ int* tree_slot(const SceneTree* tree, int parent, const char* part, size_t lengt
 /// The node at a path as in "balloons.0.scale", or the last on the way that there is.
 int tree_find(const SceneTree* tree, const char* path);
 
-/// Put the override set[index] in. In override.c.
-bool tree_set(SceneTree* tree, int index, Fault* fault);
+/// The path of the override set[index], before its "=", and its value. In override.c.
+bool tree_set_path(const SceneTree* tree, int index, char path[256], const char** value,
+                   Fault* fault);
+
+/// Put the value of the override set[index] in at a path. In override.c.
+bool tree_set(SceneTree* tree, int index, const char* path, const char* value, Fault* fault);
+
+/// Give key number `pair` of a mapping another name. In override.c.
+void tree_set_key(SceneTree* tree, int mapping, int pair, const char* name);
 
 /// Put a text in at a path as it is, not read as YAML. In override.c.
 bool tree_set_text(SceneTree* tree, const char* path, const char* text, Fault* fault);

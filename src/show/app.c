@@ -91,6 +91,7 @@ bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_cou
     World next;
     if (!scene_load(path, set, set_count, &def, fault))
         return false;
+    scene_say_renamed(&def);
     const Mode* mode = mode_of(&def, fault);
     if (!mode) {
         scene_free(&def);

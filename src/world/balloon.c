@@ -27,7 +27,7 @@ static void set_color(Balloon* balloon, int number) {
 /// Where the def has a size, fit the model to it and center it; then scale it.
 static void place_body(Balloon* balloon) {
     const BalloonDef* def = balloon->def;
-    Placement placement = {.scale = def->scale, .turn = def->turn};
+    Placement placement = {.scale = def->scale, .turn = def->rotation};
     if (def->size > 0) {
         double4 low = {INFINITY, INFINITY, INFINITY, 0}, high = -low;
         for (int i = 0; i < balloon->mesh.point_count; i++)
@@ -107,8 +107,8 @@ static void add_inflation(Balloon* balloon, const WorldDef* world) {
     if (!def)
         return;
     balloon->scene_amount = def->amount;
-    balloon->min_amount = def->least;
-    balloon->max_amount = def->most != 0 ? def->most : def->amount > 0 ? 10 * def->amount : 100;
+    balloon->min_amount = def->min;
+    balloon->max_amount = def->max != 0 ? def->max : def->amount > 0 ? 10 * def->amount : 100;
     balloon->rate = def->rate > 0 ? def->rate : (balloon->max_amount - balloon->min_amount) / 10;
     balloon->vent = def->vent > 0 ? def->vent : balloon->rate / vent_pressure;
     const Filling* filling =
@@ -160,7 +160,7 @@ static void add_membrane(Body* body, const MembraneDef* def) {
 }
 
 static void set_strain_limit(Balloon* balloon) {
-    const CorrectionDef* def = balloon->def->correction;
+    const StrainLimitDef* def = balloon->def->strain_limit;
     StrainLimit* limit = &balloon->strain_limit;
     if (def) {
         limit->threshold[STRUCTURAL] = def->structural;

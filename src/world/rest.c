@@ -38,13 +38,13 @@ static void sleep(Balloon* balloon) {
 }
 
 void rest_check(World* world) {
-    if (world->def.rest == 0 || world->step_count % GUARD_INTERVAL != 0)
+    if (world->def.sleep_threshold == 0 || world->step_count % GUARD_INTERVAL != 0)
         return;
     for (int b = 0; b < world->balloon_count; b++) {
         Body* body = &world->balloon[b].body;
         if (body->asleep)
             continue;
-        body->still = is_still(body, world->def.rest) ? body->still + 1 : 0;
+        body->still = is_still(body, world->def.sleep_threshold) ? body->still + 1 : 0;
         if (body->still * GUARD_INTERVAL * world->step >= still_seconds)
             sleep(&world->balloon[b]);
     }

@@ -236,7 +236,7 @@ uint64_t world_hash(const World* world) {
             hash = hash_bytes(hash, &body->x[i], 3 * sizeof(real));
             hash = hash_bytes(hash, &body->v[i], 3 * sizeof(real));
         }
-        if (world->def.rest > 0)
+        if (world->def.sleep_threshold > 0)
             hash = hash_bytes(hash, &body->still, sizeof body->still);
     }
     for (int s = 0; s < world->contacts.sphere_count; s++) {

@@ -55,11 +55,22 @@ ok "precision hands over to the sibling" test "$("$balloon" run exact-cube --pre
     = "$("$double" run exact-cube --hash)"
 
 # --- CSV, OBJ, hash
-"$balloon" run tether --csv "$scratch/t.csv" --seconds 1 --fps 7 --obj "$scratch/t.obj"
+"$balloon" run tether --csv "$scratch/t.csv" --seconds 1 --fps 7 --mesh "$scratch/t.obj"
 ok "a row a frame and one for the start" test "$(wc -l <"$scratch/t.csv")" = 9
 ok "row k is after floor(k / (fps step)) steps" near "$(column "$scratch/t.csv" t 3)" 0.428 1e-12
 ok "the OBJ has the model's vertices" test "$(grep -c '^v ' "$scratch/t.obj")" = 386
 ok "the OBJ is a mesh again" grep -qx "vertices: 386" <("$balloon" check "$scratch/t.obj")
+
+# --- earlier names of keys and options: read, with a sentence
+sed -e 's/strain_limit:/correction:/' -e 's/max:/most:/' assets/scenes/turtle-corrected.yaml >"$scratch/old.yaml"
+ok "a scene with earlier names is the same to the bit" test "$("$balloon" run "$scratch/old.yaml" --seconds 0.1 --hash 2>"$scratch/said")" \
+    = "$("$balloon" run turtle-corrected --seconds 0.1 --hash)"
+ok "and the present names are said in one line" test "$(cat "$scratch/said")" \
+    = "balloon: $scratch/old.yaml: keys have new names: most is now max, correction is now strain_limit"
+ok "an option's earlier name is read" refuses 0 "^balloon: --obj is now --mesh$" \
+    "$balloon" run tether --seconds 0.01 --quiet --obj "$scratch/old.obj"
+ok "and does the same" test -s "$scratch/old.obj"
+
 a=$("$balloon" run party --seconds 1 --hash)
 ok "same input, same bits" test "$a" = "$("$balloon" run party --seconds 1 --hash --fps 13 --quiet)"
 ok "other input, other bits" test "$a" != "$("$balloon" run party --seconds 1 --hash --set balloons.0.inflation.amount=3)"
@@ -138,7 +149,7 @@ bad "yaml.yaml:[0-9]+: " "$balloon" run "$scratch/yaml.yaml"
 printf '# balloon input 1 party\n30 key dance down\n' >"$scratch/bad.log"
 bad "bad.log:2: " "$balloon" run party --input "$scratch/bad.log"
 bad "cannot be written" "$balloon" run party --csv /proc/nothing/here.csv
-bad "cannot be written" "$balloon" run party --seconds 0.1 --obj /proc/nothing/here.obj
+bad "cannot be written" "$balloon" run party --seconds 0.1 --mesh /proc/nothing/here.obj
 bad "/proc/nothing" "$balloon" render party --out /proc/nothing/here
 bad "number" "$balloon" run party --seconds soon
 bad "size" "$balloon" render party --size 12by9

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 # unneeded FILE: the parts that needs.csv has as unneeded without a reason
 unneeded() { awk -F, 'NR > 1 && $6 == 0 && $7 == "\"\"" { print $2 }' "$1" | sort | paste -sd' '; }
 
-# --- four parts are planted: torsion that holds nothing, double, a fine mesh, a correction that no
+# --- four parts are planted: torsion that holds nothing, double, a fine mesh, a strain limit that no
 # spring is stretched enough for
 cat >"$scratch/planted.yaml" <<'YAML'
 units: paper
@@ -20,16 +20,16 @@ balloons:
     skin: {springs: {structural: 50, shear: 10, flexion: 10, torsion: 1e-5, law: hooke}}
     mass: {per_particle: 0.001}
     inflation: {law: area, amount: 6}
-    correction: {structural: 1}
+    strain_limit: {structural: 1}
     damping: {coefficient: 0.004}
 YAML
-ok "what is planted is said" refuses 1 "unneeded without a reason: torsion, correction, mesh, precision$" \
+ok "what is planted is said" refuses 1 "unneeded without a reason: torsion, strain_limit, mesh, precision$" \
     "$balloon" needs "$scratch/planted.yaml" --quick --out "$scratch/planted"
 csv=$scratch/planted/needs.csv
 ok "the columns" test "$(head -1 "$csv")" = scene,part,change,tolerance,cost_share,needed,because
-ok "exactly the four" test "$(unneeded "$csv")" = "correction mesh precision torsion"
+ok "exactly the four" test "$(unneeded "$csv")" = "mesh precision strain_limit torsion"
 ok "what the skin needs is needed" grep -qE ",shear,[0-9.]+,0.01,[0-9.]+,1," "$csv"
-cut=(--set balloons.0.skin.springs.torsion=0 --set precision=float --set balloons.0.correction=~)
+cut=(--set balloons.0.skin.springs.torsion=0 --set precision=float --set balloons.0.strain_limit=~)
 coarse=(--set balloons.0.model=cube-sphere:4 --set balloons.0.mass.per_particle=0.004
     --set balloons.0.damping.coefficient=0.016 --set step=0.0045)
 ok "without the others the mesh is named" refuses 1 "reason: mesh$" \

@@ -21,6 +21,7 @@ static void every_key_of_a_world_loads_into_its_field(void** state) {
     assert_int_equal(def.precision, PRECISION_DOUBLE);
     assert_string_equal(def.method, "euler");
     assert_string_equal(def.show, "springs");
+    assert_true(def.sleep_threshold == 0.001);
     assert_true(def.seconds == 12);
     assert_vector(def.camera->eye, 1, 2, 3);
     assert_vector(def.camera->look, 4, 5, 6);
@@ -90,7 +91,7 @@ static void every_key_of_a_balloon_loads_into_its_field(void** state) {
     const BalloonDef* balloon = def.balloons;
     assert_string_equal(balloon->model, "cube-sphere:4");
     assert_vector(balloon->position, 1, -2, 0.3);
-    assert_true(balloon->size == 2 && balloon->scale == 3 && balloon->turn == 90);
+    assert_true(balloon->size == 2 && balloon->scale == 3 && balloon->rotation == 90);
     assert_vector(balloon->color, 0.1, 0.2, 1);
     const SpringsDef* springs = balloon->skin.springs;
     assert_true(springs->structural == 50 && springs->shear == 10 && springs->flexion == 11);
@@ -101,9 +102,9 @@ static void every_key_of_a_balloon_loads_into_its_field(void** state) {
     assert_true(helium[HELIUM_BASE] == 20 && helium[HELIUM_PER_INFLATION] == 5);
     const double* damping = balloon->force[FORCE_DAMPING];
     assert_true(damping[DAMPING_COEFFICIENT] == 0.2 && damping[DAMPING_RATE] == 0);
-    const CorrectionDef* correction = balloon->correction;
-    assert_true(correction->structural == 0.1 && correction->shear == 0.2);
-    assert_true(correction->flexion == 0.3 && correction->tarantino && correction->phantom);
+    const StrainLimitDef* limit = balloon->strain_limit;
+    assert_true(limit->structural == 0.1 && limit->shear == 0.2);
+    assert_true(limit->flexion == 0.3 && limit->tarantino && limit->phantom);
     scene_free(&def);
 }
 
@@ -115,7 +116,7 @@ static void every_key_of_inflation_and_strings_loads_into_its_field(void** state
     const InflationDef* inflation = def.balloons->inflation;
     assert_int_equal(inflation->law, INFLATE_GAS);
     assert_true(inflation->amount == 1.5 && inflation->rate == 2);
-    assert_true(inflation->least == 0.5 && inflation->most == 9 && *inflation->ambient == 1e5);
+    assert_true(inflation->min == 0.5 && inflation->max == 9 && *inflation->ambient == 1e5);
     const FillDef* filling = inflation->fill;
     assert_true(filling->to == 3 && filling->start == 0.25 && filling->seconds == 0.5);
     assert_int_equal(def.balloons->strings_count, 2);
@@ -144,8 +145,8 @@ static void what_a_scene_does_not_name_is_absent(void** state) {
     assert_true(!b->position && !b->color && !b->skin.springs && !b->inflation);
     for (int k = 0; k < FORCES; k++)
         assert_null(b->force[k]);
-    assert_true(!b->correction && !b->strings && b->strings_count == 0);
-    assert_true(b->size == 0 && b->scale == 1 && b->turn == 0 && !b->hold_rim);
+    assert_true(!b->strain_limit && !b->strings && b->strings_count == 0);
+    assert_true(b->size == 0 && b->scale == 1 && b->rotation == 0 && !b->hold_rim);
     scene_free(&def);
 }
 

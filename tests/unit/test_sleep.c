@@ -12,8 +12,8 @@ static void open_tether(World* world, const char* rest) {
 static void a_balloon_at_rest_sleeps_where_it_would_be(void** state) {
     (void)state;
     World world[2];
-    open_tether(&world[0], "rest=0");
-    open_tether(&world[1], "rest=1e-3");
+    open_tether(&world[0], "sleep_threshold=0");
+    open_tether(&world[1], "sleep_threshold=1e-3");
     for (int k = 0; k < 2; k++)
         run_for(&world[k], settle);
     const Body *awake = &world[0].balloon[0].body, *asleep = &world[1].balloon[0].body;
@@ -33,7 +33,7 @@ static void a_balloon_at_rest_sleeps_where_it_would_be(void** state) {
 static void a_key_wakes_it(void** state) {
     (void)state;
     World world;
-    open_tether(&world, "rest=1e-3");
+    open_tether(&world, "sleep_threshold=1e-3");
     run_for(&world, settle);
     assert_true(world.balloon[0].body.asleep);
     const double volume = probe(&world, "balloon0.volume");
@@ -48,7 +48,7 @@ static void a_key_wakes_it(void** state) {
 static void gas_wakes_it(void** state) {
     (void)state;
     World world;
-    WORLD_OF(&world, "tether", "rest=1e-3",
+    WORLD_OF(&world, "tether", "sleep_threshold=1e-3",
              "balloons.0.inflation.fill={to: 5, start: 21, seconds: 1}");
     run_for(&world, 20);
     assert_true(world.balloon[0].body.asleep);
@@ -64,7 +64,7 @@ static void gas_wakes_it(void** state) {
 static void a_ball_wakes_it(void** state) {
     (void)state;
     World world;
-    open_tether(&world, "rest=1e-3");
+    open_tether(&world, "sleep_threshold=1e-3");
     run_for(&world, settle);
     Event event = {.kind = EVENT_THROW, .step = world.clock};
     const double y = probe(&world, "balloon0.cy");

@@ -49,7 +49,7 @@ static void step_allocates_nothing(void** state) {
         World world;
         WORLD_OF(
             &world, "cube-sphere:6", method, "guard=off",
-            "balloons.0.correction={structural: 0.1, shear: 0.1, flexion: 0.1, tarantino: true}",
+            "balloons.0.strain_limit={structural: 0.1, shear: 0.1, flexion: 0.1, tarantino: true}",
             "balloons.0.inflation.law=gas", "balloons.0.inflation.ambient=100");
         assert_true(asked > 0);
         int factored = 0;
@@ -158,7 +158,7 @@ static void keys_blow_up_to_their_limits(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "cube-sphere:4",
-             "balloons.0.inflation={law: area, amount: 2, rate: 10, least: 1, most: 4}");
+             "balloons.0.inflation={law: area, amount: 2, rate: 10, min: 1, max: 4}");
     const Inflation* inflation = &world.balloon[0].body.inflation;
     press(&world, "inflate", "down");
     run_for(&world, 0.1);

@@ -103,6 +103,7 @@ static bool advise(const AdviseOptions* options, bool anyway, Advice* advice, Ad
         !scene_load(options->scene, options->set, options->set_count, &def, fault) ||
         !world_open(&world, &def, fault))
         return false;
+    scene_say_renamed(&world.def);
     const AdvicePoint* best;
     const AdvicePoint* found = advise_pick(advice, options->error, options->ms, &best);
     bool good = true;

@@ -232,6 +232,7 @@ static bool open_needs(Needs* needs, const char* scene, const NeedsOptions* opti
     if (!scene_load(scene, options->set, options->set_count, &def, fault) ||
         !world_open(&needs->world, &def, fault))
         return false;
+    scene_say_renamed(&needs->world.def);
     needs->outputs = scene_outputs(&needs->world.def);
     bool good = can_be_judged(needs, fault) && add_need(needs, NULL, fault);
     NeedsPart part;

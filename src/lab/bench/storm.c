@@ -19,7 +19,7 @@ bool storm_open(Storm* storm, uint64_t seed, Fault* fault) {
         {"floor=-3"},
         {"balloons.0.strings=[]"},
         {"balloons.0.helium={base: 0}"},
-        {"balloons.0.inflation={law: area, amount: 3, rate: 8, least: 0.2, most: 25}"}};
+        {"balloons.0.inflation={law: area, amount: 3, rate: 8, min: 0.2, max: 25}"}};
     WorldDef def;
     return scene_load("cube-sphere:8", set, SETS, &def, fault) &&
            world_open(&storm->world, &def, fault);

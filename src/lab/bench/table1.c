@@ -86,7 +86,7 @@ static bool run_row(int row, int effort, int frames, Row* done, Fault* fault) {
     char model[64], inflation[160];
     snprintf(model, sizeof model, "balloons.0.model=%s", row_table[row].model);
     snprintf(inflation, sizeof inflation,
-             "balloons.0.inflation={law: gas, amount: 0, ambient: 0, unit: 2000, most: 2, "
+             "balloons.0.inflation={law: gas, amount: 0, ambient: 0, unit: 2000, max: 2, "
              "fill: {to: 2, seconds: %.17g}}",
              2 * frames / 60.0);
     SceneSet set[SETS] = {{model}, {effort_table[effort].solver}, {inflation}};

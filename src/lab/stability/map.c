@@ -99,15 +99,15 @@ static void strip(const Map* map, MapSets* sets) {
     const BalloonDef* balloon = &map->def.balloons[0];
     add(sets, "guard='off'");
     add(sets, "gravity=0");
-    if (map->def.rest > 0)
-        add(sets, "rest=0");
+    if (map->def.sleep_threshold > 0)
+        add(sets, "sleep_threshold=0");
     for (int k = 0; k < force_count; k++)
         if (balloon->force[k] && force_table[k]->external && force_table[k]->energy)
             add(sets, "balloons.0.%s=~", force_table[k]->name);
     if (balloon->strings_count > 0)
         add(sets, "balloons.0.strings=~");
-    if (balloon->correction)
-        add(sets, "balloons.0.correction=~");
+    if (balloon->strain_limit)
+        add(sets, "balloons.0.strain_limit=~");
     if (!balloon->inflation)
         return;
     const double factor = map_stiffness(row_of(map->turn));

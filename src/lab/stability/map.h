@@ -2,7 +2,7 @@
 /// stiffnesses about the scene's own. Measured cell by cell, in parts, for who has frames to draw.
 ///
 /// Each cell is a trial (lab/stability/trial.h), as those of `balloon stability` are: the balloon without
-/// gravity, strings, helium and correction is brought to rest and pushed. It holds the gas that it
+/// gravity, strings, helium and strain limit is brought to rest and pushed. It holds the gas that it
 /// has now, or, where its law is another, a pressure that grows with the stiffness from the present
 /// one, so that its size stays. Upright is the stiffness of the whole skin, in powers of two of the
 /// scene's.
