@@ -1,5 +1,4 @@
-/// Sums and steps over whole arrays of vectors, as conjugate gradients need them. Spare lanes are
-/// zero and stay so.
+/// Vector operations of conjugate gradients, over whole arrays. Spare lanes are zero and stay zero.
 #ifndef BALLOON_BASE_VECTORS_H
 #define BALLOON_BASE_VECTORS_H
 
@@ -10,16 +9,16 @@ typedef struct VectorKernels {
     double (*dot)(const real4* a, const real4* b, int count);
 
     /// sum of w a . a, products in real, their sum in double
-    double (*weigh)(const real* w, const real4* a, int count);
+    double (*weighted_squares)(const real* w, const real4* a, int count);
 
     /// the largest a . a
-    real (*most)(const real4* a, int count);
+    real (*max_squared)(const real4* a, int count);
 
     /// a += s b
     void (*add)(real4* a, real s, const real4* b, int count);
 
     /// a = b + s a
-    void (*turn)(real4* a, real s, const real4* b, int count);
+    void (*scale_add)(real4* a, real s, const real4* b, int count);
 } VectorKernels;
 
 extern const VectorKernels vector_kernels_baseline;
@@ -27,7 +26,7 @@ extern const VectorKernels vector_kernels_baseline;
 extern const VectorKernels vector_kernels_v3;
 #endif
 
-/// Those of this machine (base/cpu.h).
+/// The kernels for this machine (base/cpu.h).
 const VectorKernels* vectors(void);
 
 #endif

@@ -1,4 +1,5 @@
-/// Compiled for each kind of machine: base/cpu.h. As many vectors side by side as a register holds.
+/// Compiled for each kind of machine: base/cpu.h. Each operation handles as many vectors as a
+/// register holds.
 #include "base/lanes.h"
 #include "base/vectors.h"
 
@@ -7,7 +8,8 @@ static inline lanes load(const real4* a) {
 }
 
 static double dot_of(const real4* a, const real4* b, int count) {
-    double4 sum[4] = {{0}, {0}, {0}, {0}}; // side by side, so that none waits for another
+    double4 sum[4] = {
+        {0}, {0}, {0}, {0}}; // independent sums, so that no addition waits for the one before
     int i = 0;
     for (; i + 4 <= count; i += 4)
         for (int k = 0; k < 4; k += VECTORS)
@@ -18,7 +20,7 @@ static double dot_of(const real4* a, const real4* b, int count) {
     return all[0] + all[1] + all[2];
 }
 
-static double weigh(const real* w, const real4* a, int count) {
+static double weighted_squares(const real* w, const real4* a, int count) {
     double4 sum[2] = {{0}, {0}};
     int i = 0;
     for (; i + 2 <= count; i += 2)
@@ -32,7 +34,7 @@ static double weigh(const real* w, const real4* a, int count) {
     return all[0] + all[1] + all[2];
 }
 
-static real most(const real4* a, int count) {
+static real max_squared(const real4* a, int count) {
     lanes largest = {0};
     int i = 0;
     for (; i + WIDE <= count; i += WIDE) {
@@ -55,7 +57,7 @@ static void add(real4* restrict a, real s, const real4* restrict b, int count) {
         a[i] += s * b[i];
 }
 
-static void turn(real4* restrict a, real s, const real4* restrict b, int count) {
+static void scale_add(real4* restrict a, real s, const real4* restrict b, int count) {
     int i = 0;
     for (; i + VECTORS <= count; i += VECTORS)
         lanes_store((real*)&a[i], load(&b[i]) + s * load(&a[i]));
@@ -64,7 +66,8 @@ static void turn(real4* restrict a, real s, const real4* restrict b, int count) 
 }
 
 #ifdef KERNEL_V3
-const VectorKernels vector_kernels_v3 = {dot_of, weigh, most, add, turn};
+const VectorKernels vector_kernels_v3 = {dot_of, weighted_squares, max_squared, add, scale_add};
 #else
-const VectorKernels vector_kernels_baseline = {dot_of, weigh, most, add, turn};
+const VectorKernels vector_kernels_baseline = {dot_of, weighted_squares, max_squared, add,
+                                               scale_add};
 #endif

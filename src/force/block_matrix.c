@@ -9,7 +9,7 @@ static int rising(const void* a, const void* b) {
     return *(const int*)a - *(const int*)b;
 }
 
-/// The columns of a row, each once, without the diagonal. Returns how many.
+/// Sort the columns of a row, drop repetitions and the diagonal. Returns the remaining number.
 static int settle_row(int row, int* column, int count) {
     int kept = 0;
     qsort(column, (size_t)count, sizeof *column, rising);
@@ -20,7 +20,7 @@ static int settle_row(int row, int* column, int count) {
 }
 
 void block_matrix_make(BlockMatrix* matrix, int count, const int (*pair)[2], int pairs) {
-    // sort into rows by counting
+    // counting sort by row
     int *begin = new_array(int, count + 1), *at = new_array(int, count + 1);
     int* column = new_array(int, pairs);
     for (int p = 0; p < pairs; p++)

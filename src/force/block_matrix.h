@@ -1,9 +1,8 @@
-/// A sparse matrix of 3 x 3 blocks, row after row.
+/// A sparse matrix of 3 x 3 blocks, row after row (block CSR).
 ///
 ///     out_i = sum over k in [from[i], from[i + 1])  value[k] d_column[k]
 ///
-/// A row's first block is its diagonal one. Which blocks there are is found once; their values
-/// change.
+/// A row's first block is the diagonal one. The sparsity pattern is found once; the values change.
 #ifndef BALLOON_FORCE_BLOCK_MATRIX_H
 #define BALLOON_FORCE_BLOCK_MATRIX_H
 
@@ -16,18 +15,19 @@ typedef struct Block {
 
 typedef struct BlockMatrix {
     int count;    ///< rows
-    int* from;    ///< [count + 1] where row i's blocks begin
-    int* column;  ///< [from[count]] which column each block is in
-    Block* value; ///< [from[count] + 1] the last one stays empty
+    int* from;    ///< [count + 1] index of each row's first block
+    int* column;  ///< [from[count]] of each block
+    Block* value; ///< [from[count] + 1] the last one is always zero, for padding
 } BlockMatrix;
 
-/// Make the zero matrix that has the diagonal and these (row, column), each as often as it likes.
+/// Make a zero matrix whose pattern is the diagonal and these pairs (row, column); pairs may
+/// repeat.
 void block_matrix_make(BlockMatrix* matrix, int count, const int (*pair)[2], int pairs);
 
-/// Where the block of a row and a column is, or less than 0.
+/// Index of the block at (row, column), or less than 0 where there is none.
 int block_matrix_find(const BlockMatrix* matrix, int row, int column);
 
-/// All blocks zero.
+/// Set all blocks to zero.
 void block_matrix_clear(BlockMatrix* matrix);
 
 /// out = matrix d

@@ -21,12 +21,12 @@ void block_slices_make(BlockSlices* slices, const BlockMatrix* matrix) {
         slices->from[s + 1] = slices->from[s] + longest;
     }
     const int slots = slices->from[count];
-    slices->place = new_array(uint32_t[LANES], slots);
+    slices->offset = new_array(uint32_t[LANES], slots);
     slices->source = new_array(int[LANES], slots);
     slices->value = new_array(LaneBlock, slots);
     slices->inverse = new_array(LaneBlock, count);
 
-    // what a row has not, is an empty block in its own column
+    // rows shorter than the slice are padded with the matrix's empty block
     for (int s = 0; s < count; s++)
         for (int slot = slices->from[s]; slot < slices->from[s + 1]; slot++)
             for (int k = 0; k < LANES; k++) {
@@ -35,13 +35,13 @@ void block_slices_make(BlockSlices* slices, const BlockMatrix* matrix) {
                 const int block = here ? matrix->from[row] + at : matrix->from[matrix->count];
                 const int column = here ? matrix->column[block] : s * LANES;
                 slices->source[slot][k] = block;
-                slices->place[slot][k] = (uint32_t)((size_t)column * sizeof(real4));
+                slices->offset[slot][k] = (uint32_t)((size_t)column * sizeof(real4));
             }
 }
 
 void block_slices_free(BlockSlices* slices) {
     free(slices->from);
-    free(slices->place);
+    free(slices->offset);
     free(slices->source);
     free(slices->value);
     free(slices->inverse);

@@ -8,8 +8,8 @@ static Stencils stencils_of(const Force* force, const Body* body) {
     return force->stencils ? force->stencils(body) : (Stencils){0};
 }
 
-/// Every (row, column) of two particles in one stencil, as often as there are. Returns their
-/// number; with pair NULL, counts only.
+/// (row, column) of every two particles in a stencil, with repetitions. Returns their number; with
+/// pair NULL, only counts.
 static int collect(const Body* body, int (*pair)[2]) {
     int count = 0;
     for (int f = 0; f < force_count; f++) {
@@ -55,7 +55,7 @@ void tangent_open(Tangent* tangent, const Body* body) {
     }
 }
 
-void tangent_ready(Tangent* tangent, Body* body, double factor, bool project) {
+void tangent_update(Tangent* tangent, Body* body, double factor, bool project) {
     block_matrix_clear(&tangent->matrix);
     for (int f = 0; f < force_count; f++) {
         const Force* force = force_table[f];

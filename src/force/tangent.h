@@ -1,9 +1,9 @@
-/// The tangent of all forces, K = -dF/dx [N/m], for implicit methods and for spectra: a sparse
-/// matrix of 3 x 3 blocks, in which each force adds the blocks of its stencils (Force.assemble),
-/// and beside it what is dense, which each force multiplies by itself (Force.product).
+/// The tangent of all forces, K = -df/dx [N/m], for implicit methods and for spectra: a sparse
+/// matrix of 3 x 3 blocks, to which each force adds the blocks of its stencils (Force.assemble). A
+/// force with a dense part multiplies it by a vector itself (Force.product).
 ///
-/// Row after row a block of 48 bytes (float) is read once in a product: on some 11,000 vertices of
-/// rubber that is half the time of going through the elements' own matrices.
+/// A product reads each block of 48 bytes (float) once, row after row: on some 11,000 vertices of
+/// rubber it takes half the time of one that goes through the elements' own matrices.
 #ifndef BALLOON_FORCE_TANGENT_H
 #define BALLOON_FORCE_TANGENT_H
 
@@ -16,19 +16,19 @@ typedef struct Tangent {
                 ///< blocks are, NONE for corners that are not there
 } Tangent;
 
-/// Find which particles of the body pull on each other.
+/// Find the matrix's sparsity pattern from the stencils of all forces.
 void tangent_open(Tangent* tangent, const Body* body);
 
-/// factor K at the body's present positions; `project` leaves out of the blocks what is not
-/// positive.
-void tangent_ready(Tangent* tangent, Body* body, double factor, bool project);
+/// Compute factor K at the body's present positions; with `project`, each stencil's matrix is
+/// replaced by its positive semidefinite part.
+void tangent_update(Tangent* tangent, Body* body, double factor, bool project);
 
-/// out = factor K d, with the factor of the last tangent_ready, plus what the caller has added to
-/// the matrix.
+/// out = factor K d, with the factor of the last tangent_update, plus the product of whatever the
+/// caller has added to the matrix.
 void tangent_multiply(const Tangent* tangent, const Body* body, double factor, const real4* d,
                       real4* out);
 
-/// The part of it that is not in the matrix: out += factor K d.
+/// out += factor K d for the dense parts of K, which are not in the matrix.
 void tangent_add_dense(const Body* body, double factor, const real4* d, real4* out);
 
 void tangent_close(Tangent* tangent);

@@ -42,7 +42,7 @@ void linear_solve_begin(LinearSolve* linear, const Body* body) {
 
 /// With `project`, K's blocks are replaced by their positive parts.
 static double update(LinearSolve* linear, Body* body, double h, bool project) {
-    tangent_ready(&linear->tangent, body, h * h, project);
+    tangent_update(&linear->tangent, body, h * h, project);
     double noise = 0;
     for (int i = 0; i < body->count; i++) {
         Block* block = block_matrix_diagonal(&linear->tangent.matrix, i);
@@ -55,7 +55,7 @@ static double update(LinearSolve* linear, Body* body, double h, bool project) {
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i]));
     }
     const bool rebuild = project || linear->levels_h != h;
-    multigrid_ready(&linear->levels, body->x, rebuild);
+    multigrid_update(&linear->levels, body->x, rebuild);
     if (rebuild)
         linear->first_products = linear->levels_age = 0;
     linear->levels_age++;
@@ -116,7 +116,8 @@ static bool conjugate_gradients(LinearSolve* linear, const Body* body, double h,
         squared = precondition(linear, body);
         if (!(squared >= 0))
             return false;
-        vectors()->turn(linear->direction, (real)(squared / previous), linear->preconditioned, n);
+        vectors()->scale_add(linear->direction, (real)(squared / previous), linear->preconditioned,
+                             n);
     }
     return true;
 }

@@ -1,11 +1,11 @@
 /// The linear equation of a Newton iteration (newton.c), by preconditioned conjugate gradients.
 ///
-///     A dv = -R,  A = M + h D + h^2 K        M mass, D drag, K = -df/dx, each as a positive matrix
+///     A dv = -R,  A = M + h D + h^2 K        M mass, D drag, K = -df/dx
 ///
-/// K's blocks are assembled (force/tangent.h). Dense parts, such as the gas's rank-one part, are
-/// not: each force multiplies by its own. The preconditioner is a multigrid cycle
-/// (multigrid/multigrid.h). Its coarse levels are rebuilt only when the number of products of a
-/// solve has grown, for an old tangent often preconditions a new one well enough.
+/// K's sparse part is assembled in blocks (force/tangent.h). Dense parts, such as the gas's
+/// rank-one part, are not: each force multiplies its own by a vector. The preconditioner is a
+/// multigrid cycle (multigrid/multigrid.h). Its coarse levels are rebuilt only when the number of
+/// products of a solve has grown, for an old tangent often preconditions a new one well enough.
 #ifndef BALLOON_SOLVE_LINEAR_SOLVE_H
 #define BALLOON_SOLVE_LINEAR_SOLVE_H
 
@@ -31,9 +31,9 @@ void linear_solve_open(LinearSolve* linear, Body* body);
 /// Before a step: note whether some particles are held.
 void linear_solve_begin(LinearSolve* linear, const Body* body);
 
-/// Compute A at the present positions. Returns the rounding error of R, |R|_(1/M): a position is
-/// right to half of its last bit, which K turns into a force, and so is a velocity. An iteration
-/// reaches 1/2 to 3/4 of it, in both precisions.
+/// Compute A at the present positions. Returns an estimate of the rounding error of R, as
+/// |R|_(1/M): positions and velocities are exact to half of their last bit, and K makes forces of
+/// the positions' error. Converged iterations reach 1/2 to 3/4 of it, in both precisions.
 double linear_solve_update(LinearSolve* linear, Body* body, double h);
 
 /// Solve A dv = -R to a residual of `tolerance` [1], in the preconditioner's norm. Where A is not
@@ -44,7 +44,7 @@ void linear_solve_run(LinearSolve* linear, Body* body, double h, double toleranc
 
 /// |r|_(1/M)
 static inline double inverse_mass_norm(const Body* body, const real4* r) {
-    return sqrt(vectors()->weigh(body->inverse_mass, r, body->count));
+    return sqrt(vectors()->weighted_squares(body->inverse_mass, r, body->count));
 }
 
 void linear_solve_close(LinearSolve* linear);

@@ -122,7 +122,7 @@ static bool has_volume(const Body* body) {
 
 /// The largest part of dv that moves no particle by more than way_max.
 static double first_part(const Body* body, const Workspace* workspace, double h) {
-    const double longest2 = (double)vectors()->most(workspace->change, body->count);
+    const double longest2 = (double)vectors()->max_squared(workspace->change, body->count);
     return fmin(1, way_max * body->size / (h * sqrt(longest2)));
 }
 

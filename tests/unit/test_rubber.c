@@ -127,7 +127,7 @@ static double breathing(const Inflation* inflation, double l) {
     }
     Tangent tangent;
     tangent_open(&tangent, &body);
-    tangent_ready(&tangent, &body, 1, false);
+    tangent_update(&tangent, &body, 1, false);
     tangent_multiply(&tangent, &body, 1, d, out);
     tangent_close(&tangent);
     double stiff = 0, inert = 0;

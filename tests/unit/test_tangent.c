@@ -79,7 +79,7 @@ static void check_whole(Tangent* tangent, Body* body) {
         for (int i = 0; i < n; i++)
             sum[i] += (real)factor * out[i];
     }
-    tangent_ready(tangent, body, factor, false);
+    tangent_update(tangent, body, factor, false);
     tangent_multiply(tangent, body, factor, d, out);
     double most = 0;
     for (int i = 0; i < n; i++)

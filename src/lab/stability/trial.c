@@ -84,7 +84,7 @@ static bool relax(Trial* trial, Fault* fault) {
 static void begin_fastest(Trial* trial) {
     Body* body = &trial->calm.balloon[0].body;
     tangent_open(&trial->tangent, body);
-    tangent_ready(&trial->tangent, body, 1, false);
+    tangent_update(&trial->tangent, body, 1, false);
     trial->mode = new_array(real4, body->count);
     trial->image = new_array(real4, body->count);
     Random random = {7};

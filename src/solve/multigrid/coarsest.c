@@ -21,7 +21,7 @@ void coarsest_open(Coarsest* coarsest, const BlockMatrix* matrix) {
         .first = new_array(int, count),
         .from = new_array(int, count + 1),
         .inverse = new_array(real, count * LANES),
-        .turned = new_array(Tile, count),
+        .transposed = new_array(Tile, count),
         .y = new_array(real, count * LANES),
     };
     for (int c = 0; c < count; c++)
@@ -37,7 +37,7 @@ void coarsest_open(Coarsest* coarsest, const BlockMatrix* matrix) {
     coarsest->tile = new_array(Tile, coarsest->from[count]);
 }
 
-void coarsest_follow(Coarsest* coarsest, const BlockMatrix* matrix) {
+void coarsest_update(Coarsest* coarsest, const BlockMatrix* matrix) {
     memset(coarsest->tile, 0, (size_t)coarsest->from[coarsest->count] * sizeof *coarsest->tile);
     for (int row = 0; row < 3 * matrix->count; row++) {
         const int i = row / 3, c = row / LANES;
@@ -67,7 +67,7 @@ void coarsest_close(Coarsest* coarsest) {
     free(coarsest->from);
     free(coarsest->tile);
     free(coarsest->inverse);
-    free(coarsest->turned);
+    free(coarsest->transposed);
     free(coarsest->y);
     *coarsest = (Coarsest){0};
 }

@@ -1,9 +1,13 @@
-/// Cholesky's factor L of the coarsest matrix of multigrid.h, in tiles of eight rows and columns
-/// within its envelope: a row of tiles holds what there is from its first one to the diagonal.
+/// Cholesky factor L of the coarsest matrix of multigrid.h, in tiles of 8 x 8 numbers within its
+/// envelope: each row of tiles is stored from its first nonzero tile to the diagonal.
 ///
 ///     L_cd = (A_cd - sum over e < d  L_ce L_de^T) L_dd^-T        A = L L^T
 ///
-/// A direction in which the matrix is not positive is left out.
+/// A direction along which the matrix is not positive is left out: its row of L^-1 is zero.
+///
+/// It replaces a library: CHOLMOD 3 factors in double only, and LAPACK's bits differ from machine
+/// to machine. With CHOLMOD (simplicial, double) on this level alone, a frame of the rubber teddy
+/// takes 1.1 to 1.2 times as long (the measurement of multigrid.h).
 #ifndef BALLOON_SOLVE_MULTIGRID_COARSEST_H
 #define BALLOON_SOLVE_MULTIGRID_COARSEST_H
 
@@ -15,28 +19,28 @@ typedef struct Tile {
 } Tile;
 
 typedef struct Coarsest {
-    int count;     ///< rows of tiles, for three numbers of each row of the matrix
-    int* first;    ///< [count] first tile's column
-    int* from;     ///< [count + 1] first tile
-    Tile* tile;    ///< [from[count]]
-    real* inverse; ///< [count * LANES] of L's diagonal, 0 of what is left out
-    Tile* turned;  ///< [count] scratch: a row of tiles by [column][row]
-    real* y;       ///< [count * LANES] scratch
+    int count;        ///< rows of tiles; a row of the matrix is three rows of numbers
+    int* first;       ///< [count] column of each row's first tile
+    int* from;        ///< [count + 1] index of each row's first tile
+    Tile* tile;       ///< [from[count]]
+    real* inverse;    ///< [count * LANES] 1 / L's diagonal; 0 for a direction that is left out
+    Tile* transposed; ///< [count] scratch: a row of tiles, transposed
+    real* y;          ///< [count * LANES] scratch
 } Coarsest;
 
 void coarsest_open(Coarsest* coarsest, const BlockMatrix* matrix);
 
-/// Follow the matrix's present values.
-void coarsest_follow(Coarsest* coarsest, const BlockMatrix* matrix);
+/// Factor the matrix's present values.
+void coarsest_update(Coarsest* coarsest, const BlockMatrix* matrix);
 
-/// x = (L L^T)^-1 b; rows: of the matrix
+/// x = (L L^T)^-1 b, [rows] of the matrix
 void coarsest_solve(const Coarsest* coarsest, int rows, const real4* b, real4* x);
 
 void coarsest_close(Coarsest* coarsest);
 
-/// The loops over tiles, in as many compilations as there are kinds of machine (base/cpu.h).
+/// The loops over tiles, compiled once for each kind of machine (base/cpu.h).
 typedef struct CoarsestKernels {
-    /// L in place of A's lower half.
+    /// Replace A's lower triangle by L.
     void (*factor)(Coarsest* coarsest);
 
     /// y = (L L^T)^-1 y

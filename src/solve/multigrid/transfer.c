@@ -7,191 +7,196 @@
 #include "base/memory.h"
 #include "mesh/mesh.h"
 
-/// The neighbours' share: 4/3 over the largest of the graph's Laplacian. Less where groups turn,
-/// for then their motions meet at the edges as they are. [1]
-static const real share_going = (real)0.9, share_turning = (real)0.6;
+/// Share of the neighbors in a node's motion, which is smoothed aggregation's damped Jacobi step on
+/// the graph's Laplacian L (Vanek et al.: 4/3 over L's largest eigenvalue). Less where aggregates
+/// rotate: their rigid motions fit each other better at the boundaries, so less smoothing is
+/// needed. [1]
+static const real share_translating = (real)0.9, share_rotating = (real)0.6;
 
 static void make_graph(Transfer* transfer, const BlockMatrix* matrix) {
     const int nodes = transfer->nodes, rows = transfer->rows;
-    transfer->near_from = new_array(int, nodes + 1);
-    transfer->near = new_array(int, matrix->from[matrix->count]);
+    transfer->neighbor_from = new_array(int, nodes + 1);
+    transfer->neighbor = new_array(int, matrix->from[matrix->count]);
     for (int i = 0, count = 0; i < nodes; i++) {
         for (int k = matrix->from[i * rows]; k < matrix->from[i * rows + 1]; k++)
             if (matrix->column[k] % rows == 0)
-                transfer->near[count++] = matrix->column[k] / rows;
-        transfer->near_from[i + 1] = count;
+                transfer->neighbor[count++] = matrix->column[k] / rows;
+        transfer->neighbor_from[i + 1] = count;
     }
 }
 
-/// Groups of neighbours: group[i] of each node. Returns their number.
-static int aggregate(const Transfer* transfer, int* group) {
+/// Find aggregates of neighbors: aggregate[i] of each node. Returns their number.
+static int find_aggregates(const Transfer* transfer, int* aggregate) {
     const int nodes = transfer->nodes;
-    const int *from = transfer->near_from, *near = transfer->near;
-    int groups = 0;
+    const int *from = transfer->neighbor_from, *neighbor = transfer->neighbor;
+    int aggregates = 0;
     for (int i = 0; i < nodes; i++)
-        group[i] = NONE;
+        aggregate[i] = NONE;
 
-    // a node whose neighbours are all free, and these neighbours
+    // a node and its neighbors, where none of them belongs to an aggregate yet
     for (int i = 0; i < nodes; i++) {
         bool all = true;
         for (int k = from[i]; all && k < from[i + 1]; k++)
-            all = group[near[k]] == NONE;
+            all = aggregate[neighbor[k]] == NONE;
         if (!all)
             continue;
         for (int k = from[i]; k < from[i + 1]; k++)
-            group[near[k]] = groups;
-        groups++;
+            aggregate[neighbor[k]] = aggregates;
+        aggregates++;
     }
-    // what is left lies between groups, and joins one; -2 - g until all have looked
+    // each remaining node joins a neighbor's aggregate g; -2 - g marks it until all are visited,
+    // so that aggregates grow by one layer only
     for (int i = 0; i < nodes; i++)
-        for (int k = from[i]; group[i] == NONE && k < from[i + 1]; k++)
-            if (group[near[k]] >= 0)
-                group[i] = -2 - group[near[k]];
+        for (int k = from[i]; aggregate[i] == NONE && k < from[i + 1]; k++)
+            if (aggregate[neighbor[k]] >= 0)
+                aggregate[i] = -2 - aggregate[neighbor[k]];
     for (int i = 0; i < nodes; i++)
-        if (group[i] < NONE)
-            group[i] = -2 - group[i];
-        else if (group[i] == NONE)
-            group[i] = groups++;
-    return groups;
+        if (aggregate[i] < NONE)
+            aggregate[i] = -2 - aggregate[i];
+        else if (aggregate[i] == NONE)
+            aggregate[i] = aggregates++;
+    return aggregates;
 }
 
-/// The share of a node's k-th neighbour in its motion, of which it is the first itself.
+/// Share of node i's k-th neighbor in its motion; the first neighbor is the node itself.
 static real share_of(const Transfer* transfer, int i, int k) {
-    const int neighbours = transfer->near_from[i + 1] - transfer->near_from[i] - 1;
-    const real share = transfer->group_rows > 1 ? share_turning : share_going;
-    if (neighbours == 0)
+    const int neighbors = transfer->neighbor_from[i + 1] - transfer->neighbor_from[i] - 1;
+    const real share = transfer->aggregate_rows > 1 ? share_rotating : share_translating;
+    if (neighbors == 0)
         return 1;
-    return k == transfer->near_from[i] ? 1 - share : share / (real)neighbours;
+    return k == transfer->neighbor_from[i] ? 1 - share : share / (real)neighbors;
 }
 
-/// Where a group is in a node's parts, from `begin` on; a new one at their end.
-static int part_of(const Transfer* transfer, int begin, int* end, int group) {
-    int part = begin;
-    while (part < *end && transfer->coarse[part] != group)
-        part++;
-    if (part == *end) {
-        transfer->coarse[part] = group;
+/// Index of the term for an aggregate among a node's terms, begin ... *end - 1; appended where
+/// there is none yet.
+static int term_of(const Transfer* transfer, int begin, int* end, int aggregate) {
+    int term = begin;
+    while (term < *end && transfer->term_aggregate[term] != aggregate)
+        term++;
+    if (term == *end) {
+        transfer->term_aggregate[term] = aggregate;
         (*end)++;
     }
-    return part;
+    return term;
 }
 
-static void make_parts(Transfer* transfer, const real* inverse_mass) {
-    const int nodes = transfer->nodes, most = transfer->near_from[nodes];
+static void make_terms(Transfer* transfer, const real* inverse_mass) {
+    const int nodes = transfer->nodes, terms_max = transfer->neighbor_from[nodes];
     transfer->from = new_array(int, nodes + 1);
-    transfer->coarse = new_array(int, most);
-    transfer->weight = new_array(real, most);
+    transfer->term_aggregate = new_array(int, terms_max);
+    transfer->weight = new_array(real, terms_max);
     for (int i = 0; i < nodes; i++) {
         const int begin = transfer->from[i];
         int end = begin;
         if (!inverse_mass || inverse_mass[i] > 0)
-            for (int k = transfer->near_from[i]; k < transfer->near_from[i + 1]; k++) {
-                const int g = transfer->group[transfer->near[k]];
-                transfer->weight[part_of(transfer, begin, &end, g)] += share_of(transfer, i, k);
+            for (int k = transfer->neighbor_from[i]; k < transfer->neighbor_from[i + 1]; k++) {
+                const int g = transfer->aggregate[transfer->neighbor[k]];
+                transfer->weight[term_of(transfer, begin, &end, g)] += share_of(transfer, i, k);
             }
         transfer->from[i + 1] = end;
     }
-    if (transfer->group_rows > 1)
+    if (transfer->aggregate_rows > 1)
         transfer->arm = new_array(real4, transfer->from[nodes]);
 }
 
-/// One entry of P: w of t and T or of r and R, m of t and R.
+/// One entry of P: the weight w of (t, T) or (r, R), or the arm m of (t, R).
 typedef struct Entry {
-    int fine, coarse, part;
+    int fine, coarse, term;
     bool arm;
 } Entry;
 
 static int list(const Transfer* transfer, Entry* entry) {
-    const int rows = transfer->rows, group_rows = transfer->group_rows;
+    const int rows = transfer->rows, aggregate_rows = transfer->aggregate_rows;
     int count = 0;
     for (int i = 0; i < transfer->nodes; i++)
         for (int r = 0; r < rows; r++)
             for (int a = transfer->from[i]; a < transfer->from[i + 1]; a++)
-                for (int c = r; c < group_rows; c++)
-                    entry[count++] = (Entry){.fine = i * rows + r,
-                                             .coarse = transfer->coarse[a] * group_rows + c,
-                                             .part = a,
-                                             .arm = c > r};
+                for (int c = r; c < aggregate_rows; c++)
+                    entry[count++] =
+                        (Entry){.fine = i * rows + r,
+                                .coarse = transfer->term_aggregate[a] * aggregate_rows + c,
+                                .term = a,
+                                .arm = c > r};
     return count;
 }
 
-/// Rows of P in the order of the list; `down`: of P^T.
-static void make_sums(Sums* sums, const Transfer* transfer, const Entry* entry, int entries,
-                      bool down) {
-    const int rows =
-        down ? transfer->groups * transfer->group_rows : transfer->nodes * transfer->rows;
+/// P, or P^T where `restriction` is true; the entries of a row keep the order of the list.
+static void make_slices(TransferSlices* slices, const Transfer* transfer, const Entry* entry,
+                        int entries, bool restriction) {
+    const int rows = restriction ? transfer->aggregates * transfer->aggregate_rows
+                                 : transfer->nodes * transfer->rows;
     const int count = (rows + LANES - 1) / LANES;
-    *sums = (Sums){.count = count, .from = new_array(int, count + 1)};
+    *slices = (TransferSlices){.count = count, .from = new_array(int, count + 1)};
     int* length = new_array(int, count* LANES);
     for (int e = 0; e < entries; e++)
-        length[down ? entry[e].coarse : entry[e].fine]++;
+        length[restriction ? entry[e].coarse : entry[e].fine]++;
     for (int s = 0; s < count; s++) {
         int longest = 0;
         for (int k = 0; k < LANES; k++)
             longest = length[s * LANES + k] > longest ? length[s * LANES + k] : longest;
-        sums->from[s + 1] = sums->from[s] + longest;
+        slices->from[s + 1] = slices->from[s] + longest;
     }
-    const int slots = sums->from[count];
-    sums->place = new_array(uint32_t[LANES], slots);
-    sums->weight = new_array(real[LANES], slots);
+    const int slots = slices->from[count];
+    slices->offset = new_array(uint32_t[LANES], slots);
+    slices->weight = new_array(real[LANES], slots);
     if (transfer->arm) {
-        sums->arm = new_array(real[3][LANES], slots);
-        sums->part = new_array(int[LANES], slots);
+        slices->arm = new_array(real[3][LANES], slots);
+        slices->term = new_array(int[LANES], slots);
         for (int k = 0; k < slots * LANES; k++)
-            sums->part[k / LANES][k % LANES] = NONE;
+            slices->term[k / LANES][k % LANES] = NONE;
     }
 
     memset(length, 0, (size_t)rows * sizeof *length);
     for (int e = 0; e < entries; e++) {
-        const int row = down ? entry[e].coarse : entry[e].fine, lane = row % LANES;
-        const int other = down ? entry[e].fine : entry[e].coarse;
-        const int slot = sums->from[row / LANES] + length[row]++;
-        sums->place[slot][lane] = (uint32_t)((size_t)other * sizeof(real4));
+        const int row = restriction ? entry[e].coarse : entry[e].fine, lane = row % LANES;
+        const int other = restriction ? entry[e].fine : entry[e].coarse;
+        const int slot = slices->from[row / LANES] + length[row]++;
+        slices->offset[slot][lane] = (uint32_t)((size_t)other * sizeof(real4));
         if (entry[e].arm)
-            sums->part[slot][lane] = entry[e].part;
+            slices->term[slot][lane] = entry[e].term;
         else
-            sums->weight[slot][lane] = transfer->weight[entry[e].part];
+            slices->weight[slot][lane] = transfer->weight[entry[e].term];
     }
     free(length);
 }
 
 bool transfer_make(Transfer* transfer, const BlockMatrix* matrix, const real* inverse_mass,
-                   bool turned, bool turns) {
-    const int rows = turned ? 2 : 1;
-    *transfer =
-        (Transfer){.nodes = matrix->count / rows, .rows = rows, .group_rows = turns ? 2 : 1};
+                   bool nodes_rotate, bool aggregates_rotate) {
+    const int rows = nodes_rotate ? 2 : 1;
+    *transfer = (Transfer){
+        .nodes = matrix->count / rows, .rows = rows, .aggregate_rows = aggregates_rotate ? 2 : 1};
     make_graph(transfer, matrix);
-    transfer->group = new_array(int, transfer->nodes);
-    transfer->groups = aggregate(transfer, transfer->group);
-    if (transfer->groups == transfer->nodes) {
+    transfer->aggregate = new_array(int, transfer->nodes);
+    transfer->aggregates = find_aggregates(transfer, transfer->aggregate);
+    if (transfer->aggregates == transfer->nodes) {
         transfer_free(transfer);
         return false;
     }
-    make_parts(transfer, inverse_mass);
+    make_terms(transfer, inverse_mass);
     Entry* entry = new_array(Entry, 4 * transfer->from[transfer->nodes]);
     const int entries = list(transfer, entry);
-    make_sums(&transfer->up, transfer, entry, entries, false);
-    make_sums(&transfer->down, transfer, entry, entries, true);
+    make_slices(&transfer->prolongation, transfer, entry, entries, false);
+    make_slices(&transfer->restriction, transfer, entry, entries, true);
     free(entry);
     return true;
 }
 
-/// The arms' present values; sign -1 for P^T, where m x f is to come out.
-static void take_arms(const Transfer* transfer, real sign, Sums* sums) {
-    for (int k = 0; k < sums->from[sums->count] * LANES; k++) {
-        const int slot = k / LANES, lane = k % LANES, part = sums->part[slot][lane];
-        for (int c = 0; c < 3 && part != NONE; c++)
-            sums->arm[slot][c][lane] = sign * transfer->arm[part][c];
+/// Copy the arms to the slices; sign -1 for P^T, whose product is m x f = -(f x m).
+static void copy_arms(const Transfer* transfer, real sign, TransferSlices* slices) {
+    for (int k = 0; k < slices->from[slices->count] * LANES; k++) {
+        const int slot = k / LANES, lane = k % LANES, term = slices->term[slot][lane];
+        for (int c = 0; c < 3 && term != NONE; c++)
+            slices->arm[slot][c][lane] = sign * transfer->arm[term][c];
     }
 }
 
-void transfer_place(Transfer* transfer, const real4* place, real4* group_place) {
-    memset(group_place, 0, (size_t)transfer->groups * sizeof *group_place);
-    for (int i = 0; i < transfer->nodes; i++) // the spare lane counts
-        group_place[transfer->group[i]] += place[i] + (real4){0, 0, 0, 1};
-    for (int g = 0; g < transfer->groups; g++) {
-        group_place[g] /= group_place[g][3];
-        group_place[g][3] = 0;
+void transfer_update(Transfer* transfer, const real4* position, real4* aggregate_position) {
+    memset(aggregate_position, 0, (size_t)transfer->aggregates * sizeof *aggregate_position);
+    for (int i = 0; i < transfer->nodes; i++) // the spare lane counts the nodes
+        aggregate_position[transfer->aggregate[i]] += position[i] + (real4){0, 0, 0, 1};
+    for (int g = 0; g < transfer->aggregates; g++) {
+        aggregate_position[g] /= aggregate_position[g][3];
+        aggregate_position[g][3] = 0;
     }
     if (!transfer->arm)
         return;
@@ -200,49 +205,50 @@ void transfer_place(Transfer* transfer, const real4* place, real4* group_place) 
     for (int i = 0; i < transfer->nodes; i++) {
         const int begin = transfer->from[i];
         int end = transfer->from[i + 1];
-        for (int k = transfer->near_from[i]; begin < end && k < transfer->near_from[i + 1]; k++) {
-            const int j = transfer->near[k], g = transfer->group[j];
-            transfer->arm[part_of(transfer, begin, &end, g)] +=
-                share_of(transfer, i, k) * (place[j] - group_place[g]);
+        for (int k = transfer->neighbor_from[i]; begin < end && k < transfer->neighbor_from[i + 1];
+             k++) {
+            const int j = transfer->neighbor[k], g = transfer->aggregate[j];
+            transfer->arm[term_of(transfer, begin, &end, g)] +=
+                share_of(transfer, i, k) * (position[j] - aggregate_position[g]);
         }
     }
-    take_arms(transfer, 1, &transfer->up);
-    take_arms(transfer, -1, &transfer->down);
+    copy_arms(transfer, 1, &transfer->prolongation);
+    copy_arms(transfer, -1, &transfer->restriction);
 }
 
-static SumsKernel sum(void) {
+static TransferKernel best_kernel(void) {
 #ifdef __x86_64__
     if (cpu_is_v3())
-        return sums_v3;
+        return transfer_multiply_v3;
 #endif
-    return sums_baseline;
+    return transfer_multiply_baseline;
 }
 
 void transfer_restrict(const Transfer* transfer, const real4* fine, real4* coarse) {
-    sum()(&transfer->down, fine, false, coarse);
+    best_kernel()(&transfer->restriction, fine, false, coarse);
 }
 
 void transfer_prolong(const Transfer* transfer, const real4* coarse, real4* fine) {
-    sum()(&transfer->up, coarse, true, fine);
+    best_kernel()(&transfer->prolongation, coarse, true, fine);
 }
 
-static void free_sums(Sums* sums) {
-    free(sums->from);
-    free(sums->place);
-    free(sums->weight);
-    free(sums->arm);
-    free(sums->part);
+static void free_slices(TransferSlices* slices) {
+    free(slices->from);
+    free(slices->offset);
+    free(slices->weight);
+    free(slices->arm);
+    free(slices->term);
 }
 
 void transfer_free(Transfer* transfer) {
-    free(transfer->near_from);
-    free(transfer->near);
-    free(transfer->group);
+    free(transfer->neighbor_from);
+    free(transfer->neighbor);
+    free(transfer->aggregate);
     free(transfer->from);
-    free(transfer->coarse);
+    free(transfer->term_aggregate);
     free(transfer->weight);
     free(transfer->arm);
-    free_sums(&transfer->up);
-    free_sums(&transfer->down);
+    free_slices(&transfer->prolongation);
+    free_slices(&transfer->restriction);
     *transfer = (Transfer){0};
 }

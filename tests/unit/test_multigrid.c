@@ -1,5 +1,5 @@
-/// The preconditioner of implicit steps, through all its levels: a skin large enough to have nodes
-/// that turn above nodes that turn.
+/// The multigrid preconditioner of implicit steps on all its levels, for a skin so large that two
+/// consecutive levels have rotating nodes.
 #include "bodies.h"
 #include "force/tangent.h"
 #include "solve/multigrid/multigrid.h"
@@ -21,12 +21,12 @@ static void open_fixture(Fixture* f) {
         f->body.inverse_mass[i] = 0;
     shake(&f->body, 2e-4);
     tangent_open(&f->tangent, &f->body);
-    tangent_ready(&f->tangent, &f->body, 1.0 / 3600, true);
+    tangent_update(&f->tangent, &f->body, 1.0 / 3600, true);
     for (int i = 0; i < f->body.count; i++)
         for (int c = 0; c < 3; c++)
             block_matrix_diagonal(&f->tangent.matrix, i)->column[c][c] += f->body.mass[i];
     multigrid_open(&f->levels, &f->tangent.matrix, f->body.inverse_mass);
-    multigrid_ready(&f->levels, f->body.x, true);
+    multigrid_update(&f->levels, f->body.x, true);
     assert_true(f->levels.count >= 4);
     assert_true(f->levels.level[2].transfer.rows == 2);
 }
@@ -47,7 +47,7 @@ static real4* random_vectors(int count, uint64_t seed) {
     return v;
 }
 
-/// And the sum of the sizes of its parts, of which rounding is a share.
+/// a . b, and the sum of |a_i| |b_i|, which rounding errors are relative to.
 static double product(const real4* a, const real4* b, int count, double* size) {
     double sum = 0;
     *size = 0;
@@ -61,7 +61,7 @@ static double product(const real4* a, const real4* b, int count, double* size) {
 static const double rounding = 50 * (double)REAL_EPSILON;
 
 /// f . P c = P^T f . c
-static void forces_go_back_as_motions_come(void** state) {
+static void restriction_is_the_transpose_of_prolongation(void** state) {
     (void)state;
     Fixture f;
     open_fixture(&f);
@@ -84,8 +84,8 @@ static void forces_go_back_as_motions_come(void** state) {
     close_fixture(&f);
 }
 
-/// c . (P^T A P) c = P c . A P c, but for the little that holds turns.
-static void coarse_energy_is_the_fine_one(void** state) {
+/// c . (P^T A P) c = P c . A P c, but for the term added to the rotations' diagonal.
+static void coarse_energy_is_that_of_the_prolonged_motion(void** state) {
     (void)state;
     Fixture f;
     open_fixture(&f);
@@ -113,9 +113,9 @@ static void coarse_energy_is_the_fine_one(void** state) {
     close_fixture(&f);
 }
 
-/// Nodes of the coarser level that all turn about one axis turn the finer ones about it, each
-/// through a place among its neighbors, whatever the axis.
-static void turning_all_turns_each(void** state) {
+/// A rigid rotation of the coarser nodes about an axis rotates the finer ones about it, each as
+/// seen from a position among its neighbors that does not depend on the axis.
+static void rigid_rotation_prolongs_to_a_rotation(void** state) {
     (void)state;
     Fixture f;
     open_fixture(&f);
@@ -123,8 +123,8 @@ static void turning_all_turns_each(void** state) {
     real4 *c = new_array(real4, coarse->matrix->count), *motion[2];
     const real4 axis[2] = {{1, 0, 0, 0}, {0, 0, 1, 0}};
     for (int a = 0; a < 2; a++) {
-        for (int g = 0; g < level->transfer.groups; g++) {
-            c[2 * g] = cross(axis[a], coarse->place[g]);
+        for (int g = 0; g < level->transfer.aggregates; g++) {
+            c[2 * g] = cross(axis[a], coarse->position[g]);
             c[2 * g + 1] = axis[a];
         }
         motion[a] = new_array(real4, level->matrix->count);
@@ -136,13 +136,14 @@ static void turning_all_turns_each(void** state) {
         assert_near((double)by_x[0], 0, exact);
         assert_near((double)by_z[2], 0, exact);
         assert_near((double)by_x[2], -(double)by_z[0], exact);
-        const real4 place = {by_z[1], by_x[2], -by_x[1], 0};
+        const real4 position = {by_z[1], by_x[2], -by_x[1], 0};
         double farthest = 0;
-        for (int k = level->transfer.near_from[i]; k < level->transfer.near_from[i + 1]; k++) {
-            const real4 to = level->place[level->transfer.near[k]] - level->place[i];
+        for (int k = level->transfer.neighbor_from[i]; k < level->transfer.neighbor_from[i + 1];
+             k++) {
+            const real4 to = level->position[level->transfer.neighbor[k]] - level->position[i];
             farthest = fmax(farthest, (double)length(to));
         }
-        assert_less((double)length(place - level->place[i]), farthest);
+        assert_less((double)length(position - level->position[i]), farthest);
     }
     free(c);
     free(motion[0]);
@@ -150,9 +151,9 @@ static void turning_all_turns_each(void** state) {
     close_fixture(&f);
 }
 
-/// w D^-1 A has no eigenvalue of 2 or more on any level that smooths, or the cycle were not
+/// w D^-1 A has no eigenvalue of 2 or more on any smoothed level: else the cycle would not be
 /// positive.
-static void smoothing_overshoots_nothing(void** state) {
+static void smoothing_keeps_the_cycle_positive(void** state) {
     (void)state;
     Fixture f;
     open_fixture(&f);
@@ -163,7 +164,7 @@ static void smoothing_overshoots_nothing(void** state) {
         double most = 0, size;
         for (int power = 0; power < 100; power++) {
             block_matrix_multiply(level->matrix, v, image);
-            block_kernels()->begin(&level->slices, image, v);
+            block_kernels()->smooth_first(&level->slices, image, v);
             most = sqrt(product(v, v, n, &size));
             for (int i = 0; i < n; i++)
                 v[i] /= (real)most;
@@ -175,7 +176,7 @@ static void smoothing_overshoots_nothing(void** state) {
     close_fixture(&f);
 }
 
-/// The coarsest level's answer is the exact one.
+/// The coarsest level's solution is exact.
 static void coarsest_is_solved(void** state) {
     (void)state;
     Fixture f;
@@ -224,10 +225,10 @@ static void cycle_is_symmetric_and_positive(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(forces_go_back_as_motions_come),
-        cmocka_unit_test(coarse_energy_is_the_fine_one),
-        cmocka_unit_test(turning_all_turns_each),
-        cmocka_unit_test(smoothing_overshoots_nothing),
+        cmocka_unit_test(restriction_is_the_transpose_of_prolongation),
+        cmocka_unit_test(coarse_energy_is_that_of_the_prolonged_motion),
+        cmocka_unit_test(rigid_rotation_prolongs_to_a_rotation),
+        cmocka_unit_test(smoothing_keeps_the_cycle_positive),
         cmocka_unit_test(coarsest_is_solved),
         cmocka_unit_test(cycle_is_symmetric_and_positive),
     };
