@@ -4,6 +4,9 @@
 # A test program is cmocka's, or a script that ends in "N passed, N failed".
 #
 #   run.sh BUILD [WORD]
+#
+# SHORT=1 leaves out what a slow build repeats only (tests/README.md); PRECISIONS: float, double or
+# both, as by default; JOBS: programs side by side.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build}
@@ -12,16 +15,16 @@ logs=$(mktemp -d)
 trap 'rm -rf "$logs"' EXIT
 export logs
 
-# one NAME COMMAND…: run a test program; its log, status and seconds stay in files
+# one NAME COMMAND…: run a test program; its log, status and CPU seconds stay in files
 one() {
-    local name=$1 file=$logs/${1//[ \/]/_} start=$SECONDS
+    local name=$1 file=$logs/${1//[ \/]/_} TIMEFORMAT='%U %S'
     shift
-    "$@" >"$file.log" 2>&1 </dev/null
+    { time "$@" >"$file.log" 2>&1 </dev/null; } 2>"$file.cpu"
     echo $? >"$file.status"
-    tell "$name" "$file" $((SECONDS - start))
+    tell "$name" "$file" "$(awk '{ printf "%.1f", $1 + $2 }' "$file.cpu")"
 }
 
-# tell NAME FILE SECONDS: one line, or all that it said where anything failed
+# tell NAME FILE CPU_SECONDS: one line, or all that it said where anything failed
 tell() {
     local ok bad status
     status=$(cat "$2.status")
@@ -46,22 +49,31 @@ tell() {
 }
 export -f one tell
 
+# what SHORT leaves out: long runs of what other tests walk as well
+is_left_out() {
+    [ -n "${SHORT:-}" ] || return 1
+    case $1 in
+        */test_scenes | tests/cli/test_chart.sh | tests/cli/test_stability.sh) ;;
+        *) return 1 ;;
+    esac
+}
+
 shopt -s nullglob
 {
     # the longest first, so that none is left alone at the end
     for script in tests/window/*"$word"*.sh tests/cli/*"$word"*.sh; do
-        echo "$script bash $script $build"
+        is_left_out "$script" || echo "$script bash $script $build"
     done
-    for precision in float double; do
+    for precision in ${PRECISIONS:-float double}; do
         for source in tests/unit/test_*"$word"*.c; do
             name=$(basename "$source" .c)
-            echo "$precision/$name $build/$precision/tests/$name"
+            is_left_out "$precision/$name" || echo "$precision/$name $build/$precision/tests/$name"
         done
     done
 } | xargs -P "${JOBS:-2}" -L 1 bash -c 'one "$@"' _
 
-echo "the longest:"
-sort -k3,3nr "$logs"/*.sum | head -8 | awk '{printf "  %4d s  %s\n", $3, $4}'
+echo "the longest, in CPU seconds of $(cat "$logs"/*.sum | awk '{ s += $3 } END { printf "%.0f", s }'):"
+sort -k3,3nr "$logs"/*.sum | head -8 | awk '{ printf "  %6.1f  %s\n", $3, $4 }'
 read -r passed failed < <(cat "$logs"/*.sum | awk '{p += $1; f += $2} END {print p + 0, f + 0}')
 if [ "$passed" = 0 ] && [ "$failed" = 0 ]; then
     echo "no test has '$word' in its name"

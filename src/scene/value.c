@@ -39,8 +39,12 @@ static void* pointer_at(const char* field) {
 
 static double number_at(const Key* key, const char* field) {
     double number = NAN;
-    const void* from = key->type == KEY_NUMBER ? field : pointer_at(field);
-    if ((key->type == KEY_NUMBER || key->type == KEY_OPTIONAL) && from)
+    const void* from = NULL; // what follows a field of another type may end before a pointer's size
+    if (key->type == KEY_NUMBER)
+        from = field;
+    else if (key->type == KEY_OPTIONAL)
+        from = pointer_at(field);
+    if (from)
         memcpy(&number, from, sizeof number);
     return number;
 }

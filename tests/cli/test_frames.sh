@@ -55,7 +55,8 @@ done
 ok "modes differ" test "$(md5sum "$scratch"/mode-*.png | awk '{ print $1 }' | sort -u | wc -l)" = \
     "$(ls "$scratch"/mode-*.png | wc -l)"
 
-# --- golden pictures
+# --- golden pictures; a slow build leaves them out: what they draw, the modes above draw
+[ -n "${SHORT:-}" ] ||
 for golden in tests/golden/*.png; do
     name=$(basename "$golden" .png)
     scene=${name%@*}
