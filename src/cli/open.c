@@ -6,7 +6,7 @@
 
 #include "base/paths.h"
 
-static const double auto_budget = 8; ///< half a frame, the other half draws [ms]
+static const double AUTO_BUDGET = 8; ///< half a frame of 1/60 s; drawing needs the other half [ms]
 
 char** cli_arguments;
 
@@ -37,7 +37,7 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
         if (!cli_open_advice(options, &advise, fault))
             return false;
         if (advise.error == 0 && advise.ms == 0)
-            advise.ms = auto_budget;
+            advise.ms = AUTO_BUDGET;
         if (!advise_auto(&advise, &sets->advised, fault))
             return false;
     }
@@ -50,8 +50,8 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
     return true;
 }
 
-/// Read the scene and open its world, in the precision that it asks for; with a method of its own,
-/// or as it is.
+/// Load the scene and open its world in the precision that it names. method: replaces the scene's;
+/// NULL: does not.
 static bool open_copy(const Options* options, const char* method, Sets* sets, World* world,
                       Fault* fault) {
     WorldDef def;

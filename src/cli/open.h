@@ -1,4 +1,4 @@
-/// The world that a command line names, in the precision that its scene asks for.
+/// Opens the world of a command line, in the precision that its scene names.
 #ifndef BALLOON_CLI_OPEN_H
 #define BALLOON_CLI_OPEN_H
 
@@ -6,26 +6,28 @@
 #include "lab/advice/advise.h"
 #include "show/ghost.h"
 
-extern char** cli_arguments; ///< as main got them, for a hand-over to the other precision
+extern char** cli_arguments; ///< argv of main, for the program of the other precision
 
-/// The other precision is another program; it reads the same command line again. Returns only with
-/// a fault.
+/// Replace the process by the program of the other precision, with the same command line. Returns
+/// only with a fault.
 bool cli_other_precision(const char* program, Fault* fault);
 
+/// The options of `balloon advise`.
 bool cli_open_advice(const Options* options, AdviseOptions* advise, Fault* fault);
 
-/// The scene's overrides, with those of advice and one more where there is one.
+/// All overrides of a scene: those of the command line, of advice, and of a ghost's method.
 typedef struct Sets {
-    SceneSet set[SETS_MOST + OVERRIDES_MOST + 1];
+    SceneSet set[MAX_SETS + MAX_OVERRIDES + 1];
     int count;
     Overrides advised;
     char method[80];
 } Sets;
 
-/// Read the scene and open its world.
+/// Load the scene and open its world.
 bool cli_open_world(const Options* options, World* world, Fault* fault);
 
-/// The world, and with --compare its ghost; both are closed by the caller. sets: the world's.
+/// Open the world and, with --compare, its ghost; the caller closes both. sets: receives the world's
+/// overrides.
 bool cli_open_pair(const Options* options, Sets* sets, World* world, Ghost* ghost, Fault* fault);
 
 #endif

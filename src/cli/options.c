@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// One option: it fills a text or a flag, or stands for `--set key=VALUE`.
+/// An option sets a text or a flag of Options, or is short for `--set key=VALUE`.
 typedef struct Option {
     const char* name;
-    const char* value; ///< what its value is called, NULL for a flag
+    const char* value; ///< name of its value in the help; NULL: a flag
     const char* about;
     size_t text;     ///< offset of a const char* in Options
     size_t flag;     ///< offset of a bool in Options
-    const char* key; ///< the scene's key that it sets
-    const char* old; ///< earlier name, which is still read; NULL: none
+    const char* key; ///< key of the scene that it sets; "": the value names the key
+    const char* old; ///< earlier name, still read; NULL: none
 } Option;
 
 #define TEXT(field) .text = offsetof(Options, field)
@@ -83,8 +83,8 @@ bool options_quantity(const char* text, const char* option, const char* unit, do
 
 static bool apply_option(Options* options, const Option* option, const char* value, Fault* fault) {
     if (option->key) {
-        if (options->set_count == SETS_MOST)
-            return fault_set(fault, option->name, "at most %d of these", SETS_MOST);
+        if (options->set_count == MAX_SETS)
+            return fault_set(fault, option->name, "at most %d of these", MAX_SETS);
         char* typed = options->typed[options->set_count];
         const char* text = value;
         if (option->key[0]) {

@@ -1,4 +1,4 @@
-/// What `balloon VERB` does; a verb's row is in main.c.
+/// The verbs of `balloon VERB`; their table is in main.c.
 #ifndef BALLOON_CLI_VERB_H
 #define BALLOON_CLI_VERB_H
 

@@ -60,7 +60,7 @@ bool verb_bench(const Options* options, Fault* fault) {
            good;
 }
 
-/// A push of 1e-6 needs a state of double.
+/// A perturbation of 1e-6 needs a state in double precision.
 bool verb_stability(const Options* options, Fault* fault) {
     if (sizeof(real) != sizeof(double))
         return cli_other_precision("balloon-double", fault);
@@ -81,7 +81,7 @@ bool verb_chart(const Options* options, Fault* fault) {
     return chart_run(&chart, fault);
 }
 
-/// Without a scene: what each is about, or with --all what each needs.
+/// Without a scene, list what each scene is about; with --all, measure what each scene needs.
 bool verb_needs(const Options* options, Fault* fault) {
     const NeedsOptions needs = {.scene = options->target,
                                 .out = options->out,

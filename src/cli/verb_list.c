@@ -40,7 +40,7 @@ bool verb_check(const Options* options, Fault* fault) {
     return true;
 }
 
-/// A scene of failures is told from the others by how it fails.
+/// List the scenes with a `fails` block, or those without.
 static void list_scenes(char** path, int count, bool failures) {
     for (int k = 0; k < count; k++) {
         WorldDef def;

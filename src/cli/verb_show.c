@@ -29,7 +29,7 @@ static bool show_options(const Options* options, const Sets* sets, const World* 
            options_number(options->fps, "--fps", 60, &show->fps, fault);
 }
 
-/// The hash if it is asked for; the world and its ghost are closed.
+/// Print the hash with --hash; close the world and its ghost.
 static bool print_hash_and_close(const Options* options, World* world, Ghost* ghost, bool good) {
     if (good && options->hash)
         printf("%016llx\n", (unsigned long long)world_hash(world));
@@ -48,7 +48,7 @@ static bool show_pair(const Options* options, bool window, Fault* fault) {
     bool good = show_options(options, &sets, &world, &ghost, &show, fault);
     if (window) {
         show.overlay = true;
-        if (!options->seconds) // it stays open
+        if (!options->seconds) // until it is closed
             show.seconds = 0;
     }
     good = good && (window ? show_play : show_render)(&world, &show, fault);

@@ -13,7 +13,7 @@
 #include "base/paths.h"
 
 static const double MESSAGE_SECONDS = 5;
-enum { SCREENSHOTS_MOST = 9999 };
+enum { MAX_SCREENSHOTS = 9999 };
 
 void app_say(App* app, const char* format, ...) {
     va_list arguments;
@@ -48,7 +48,7 @@ void app_reset_view(App* app) {
 
 // ---- other scenes ----
 
-/// What tells a scene from another: its path below assets/scenes, or its last word elsewhere.
+/// A scene's identity in the list: its path below assets/scenes, or its file name elsewhere.
 static const char* scene_id(const char* path) {
     const char* folder = strstr(path, "assets/scenes/");
     const char* slash = strrchr(path, '/');
@@ -62,7 +62,8 @@ static int scene_index(char* const* path, int count, const char* file) {
     return -1;
 }
 
-/// A ghost for the scene that comes; one that its method refuses has none, and that is said.
+/// Open a ghost of the next scene. If its method refuses the scene, there is no ghost, and a message
+/// says why.
 static void open_ghost(App* app, const char* path, const SceneSet* set, int set_count) {
     Ghost* ghost = app->options->ghost;
     if (!ghost)
@@ -100,7 +101,7 @@ bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_cou
     if (!world_open(&next, &def, fault))
         return false;
 
-    // the picture points into the worlds that go
+    // the picture points into the worlds that are closed next
     picture_close(&app->picture);
     open_ghost(app, path, set, set_count);
     app->mode = mode;
@@ -112,8 +113,8 @@ bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_cou
 void app_next_scene(App* app, int direction) {
     char** path;
     const int count = scene_list(&path);
-    const int here = scene_index(path, count, app->world->def.file);
-    const int from = here < 0 && direction < 0 ? count : here;
+    const int present = scene_index(path, count, app->world->def.file);
+    const int from = present < 0 && direction < 0 ? count : present;
     Fault fault = {0};
     if (count > 0 &&
         !app_open_scene(app, path[(from + direction + count) % count], NULL, 0, NULL, &fault)) {
@@ -132,17 +133,17 @@ void app_next_scene(App* app, int direction) {
 
 // ---- the lab ----
 
-/// What a step costs is of interest to a user, or to who asks for times.
-void app_show_lab(App* app, bool shown) {
+/// The cost of a step is plotted in a window or with --time; other pictures must not depend on it.
+void app_show_lab(App* app, bool visible) {
     live_lab_close(app->lab);
     const bool timed = app->output.full_screen || app->options->time;
-    app->lab = shown ? live_lab_open(app->world, app->set, app->set_count, timed) : NULL;
+    app->lab = visible ? live_lab_open(app->world, app->set, app->set_count, timed) : NULL;
 }
 
 // ---- screenshots ----
 
 static bool unused_name(const char* folder, char file[600]) {
-    for (int number = 1; number <= SCREENSHOTS_MOST; number++) {
+    for (int number = 1; number <= MAX_SCREENSHOTS; number++) {
         snprintf(file, 600, "%s%sballoon-%04d.png", folder ? folder : "", folder ? "/" : "",
                  number);
         if (access(file, F_OK) != 0)
@@ -155,7 +156,7 @@ void app_screenshot(App* app) {
     app->screenshot = false;
     char file[600];
     if (!unused_name(app->options->screenshots, file)) {
-        app_say(app, "there are %d screenshots here already", SCREENSHOTS_MOST);
+        app_say(app, "there are %d screenshots here already", MAX_SCREENSHOTS);
         return;
     }
     unsigned char* rgb = new_array(unsigned char, 3 * (size_t)app->width * (size_t)app->height);

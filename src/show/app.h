@@ -1,4 +1,4 @@
-/// What the main loop works on: a session, how it is seen, and where the pictures go.
+/// The state of the main loop: a session, the view of it, and the output of pictures.
 #ifndef BALLOON_SHOW_APP_H
 #define BALLOON_SHOW_APP_H
 
@@ -16,77 +16,76 @@
 typedef struct App {
     const ShowOptions* options;
     Session session;
-    World* world; ///< the caller's, which the session steps
+    World* world; ///< owned by the caller, stepped by the session
     Pacer pacer;
-    long end_step; ///< it ends when world->clock reads this; LONG_MAX: it does not
+    long end_step; ///< the loop ends when world->clock reaches this; LONG_MAX: never
 
     const Mode* mode;
     Camera camera;
     Thrower thrower;  ///< the next ball to be thrown
-    float pointer[2]; ///< where the mouse was at the key, 0…1 from the upper left
+    float pointer[2]; ///< mouse position at the last key, 0…1 from the upper left
     Picture picture;
     Overlay overlay;
-    const SceneSet* set;    ///< [set_count] overrides of the scene, as the command line gave them
-    int set_count;          ///< 0 where another scene is on
-    int notch;              ///< of the lab's slider, 1 …; 0: the scene as it is
-    bool watching;          ///< the scene is that of a cell of the lab's map
-    LiveLab* lab;           ///< NULL: not shown, and nothing is measured for it
+    const SceneSet* set;    ///< [set_count] overrides of the scene from the command line
+    int set_count;          ///< 0 after a change of scene
+    int notch;              ///< of the slider, 1 …; 0: the scene's own method and step
+    bool watching;          ///< the scene runs with step and stiffness of a cell of the map
+    LiveLab* lab;           ///< NULL: hidden, and nothing is measured for it
     char message[512];      ///< a sentence for the user
-    double message_seconds; ///< how long it stays [s]
+    double message_seconds; ///< remaining time of the message [s]
 
     Output output;
     Renderer* renderer;
     int width;           ///< of the renderer's picture [px]
     int height;          ///< [px]
-    Stages stages;       ///< where the time goes
-    float overlay_scale; ///< of the overlay that is open; 0: none
-    bool screenshot;     ///< the next picture is to be written
+    Stages stages;       ///< times of a frame's stages
+    float overlay_scale; ///< scale that hud_open got; 0: not open
+    bool screenshot;     ///< write the next picture to a file
     bool quit;
 } App;
 
-/// Begin with options, pacer and last set: the display mode and the logs. False when they are
-/// wrong, and then nothing is open.
+/// Set the display mode and open the logs; the caller has set options, pacer and end_step. Returns
+/// false, with nothing open, if mode or logs are wrong.
 bool app_begin(App* app, World* world, Fault* fault);
 
-/// Go on once the output is open: shaders, camera, picture. False when a shader is wrong; app_close
-/// is due all the same.
+/// After the output is open: open shaders, camera and picture. Returns false if a shader is wrong;
+/// app_close is still needed.
 bool app_open(App* app, Fault* fault);
 
 /// The main loop (show/loop.c), until the output ends or the user quits.
 bool app_run(App* app, Fault* fault);
 
-/// Close all that is open. `complete`: all went well, and the output is to be completed. The world
-/// stays.
+/// Close everything except the world. complete: no fault so far, finish the output's files.
 bool app_close(App* app, bool complete, Fault* fault);
 
-/// Camera, thrower, pacer and picture for the world that is open now. The speed stays.
+/// Reset camera, thrower, pacer and picture for the present world; the speed stays.
 void app_reset_view(App* app);
 
-/// Go on to the scene `direction` places further in the list of shipped scenes. One that does not
-/// load says why, and the present one stays.
+/// Change to the scene `direction` rows further in the list of shipped scenes. If that scene does
+/// not load, a message says why and the present scene stays.
 void app_next_scene(App* app, int direction);
 
-/// Open a scene in the place of the present one, which stays where that fails. how: what is said of
-/// its overrides in the log, or NULL.
+/// Replace the present scene by another; on failure the present scene stays. how: a comment for the
+/// log that names the overrides, or NULL.
 bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_count, const char* how,
                     Fault* fault);
 
-/// Start the scene again as the chosen cell of the lab's map has it, guard off; and bring it back
-/// as it was, from a notch too. Each begins a log of its own, which says what it takes to replay it
-/// (show/watch.c).
+/// Restart the scene with step and stiffness of the chosen cell of the map, guard off; and restore
+/// the scene's own settings, also from a notch. Each begins a new log, whose comment names the
+/// overrides needed to replay it (show/watch.c).
 void app_watch_cell(App* app);
 void app_restore_scene(App* app);
 
-/// Start the scene again as a notch of the lab's slider has it, the nearest that there is.
+/// Restart the scene with the settings of a notch of the slider, clamped to those that exist.
 void app_select_notch(App* app, int notch);
 
-/// Show the lab's panel, or take it away.
-void app_show_lab(App* app, bool shown);
+/// Show or hide the lab panel.
+void app_show_lab(App* app, bool visible);
 
-/// Write the renderer's picture under the next free name, and say which.
+/// Write the renderer's picture under the next unused name, and print that name in the overlay.
 void app_screenshot(App* app);
 
-/// Say a sentence in the overlay for a few seconds.
+/// Display a message in the overlay for a few seconds.
 void app_say(App* app, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

@@ -1,5 +1,5 @@
-/// The stages of a frame of 1280 x 720 without a window, wall time: the last frames of two
-/// simulated seconds, whose pictures are read back and not written.
+/// Wall time of the stages of a headless frame of 1280 x 720, over the last frames of two simulated
+/// seconds. Pictures are read back but not written.
 #include "show/bench_frame.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@
 static const char* const scene_table[] = {"party", "crowd", "teddy"};
 enum { SCENES = sizeof scene_table / sizeof *scene_table };
 
-/// Of a full and of a quick run. [s]
+/// Simulated time of a full and of a quick run. [s]
 static const double seconds_table[] = {2, 0.1};
 
 static bool run_scene(const char* scene, const BenchOptions* options, Fault* fault) {
@@ -50,7 +50,7 @@ static bool measure_scenes(const BenchOptions* options, Fault* fault) {
 
 const BenchCase bench_frame = {
     .name = "frame",
-    .about = "where the time of a frame goes, stage by stage",
+    .about = "wall time of a frame, stage by stage",
     .timed = true,
     .run = measure_scenes,
 };

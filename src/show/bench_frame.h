@@ -1,4 +1,4 @@
-/// Where the time of a frame goes, as a bench.
+/// A bench of the stages of a frame.
 #ifndef BALLOON_SHOW_BENCH_FRAME_H
 #define BALLOON_SHOW_BENCH_FRAME_H
 

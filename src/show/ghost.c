@@ -17,12 +17,12 @@ double ghost_distance(const Ghost* ghost, const World* world) {
     double sum = 0;
     int count = 0;
     for (int b = 0; b < world->balloon_count; b++) {
-        const Body *one = &world->balloon[b].body, *other = &ghost->world.balloon[b].body;
-        for (int i = 0; i < one->count; i++) {
-            const double4 apart = to_double4(one->x[i]) - to_double4(other->x[i]);
-            sum += ddot(apart, apart);
+        const Body *own = &world->balloon[b].body, *other = &ghost->world.balloon[b].body;
+        for (int i = 0; i < own->count; i++) {
+            const double4 difference = to_double4(own->x[i]) - to_double4(other->x[i]);
+            sum += ddot(difference, difference);
         }
-        count += one->count;
+        count += own->count;
     }
     return sqrt(sum / count);
 }

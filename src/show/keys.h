@@ -1,5 +1,5 @@
-/// The keys that change the view and not the world: a table. With world/command.h's table these are
-/// all keys; the help overlay, --help and the README walk both through keys_row.
+/// The table of keys that change the view and not the world. Keys that change the world are in
+/// world/command.h. The help box, --help and the README list both through keys_row.
 #ifndef BALLOON_SHOW_KEYS_H
 #define BALLOON_SHOW_KEYS_H
 
@@ -21,14 +21,14 @@ extern const int view_key_count;
 /// Row by the key's name, or NULL.
 const ViewKey* view_key_find(const char* key);
 
-/// The world's command that a key gives, by row of command_table, or -1.
+/// The row of command_table that a key triggers, or -1.
 int command_key_find(const char* key);
 
 /// All keys, commands first: row 0 … keys_count() - 1.
 int keys_count(void);
 OverlayKey keys_row(int row);
 
-/// "  key  what it does", one a line, for --help and the README.
+/// Print "  key  description", one a line, for --help and the README.
 void keys_print(FILE* out);
 
 #endif

@@ -48,14 +48,14 @@ void live_lab_step(LiveLab* lab, const World* world, long interval, double exclu
     live_lab_start(lab, world);
 }
 
-/// The axis of stretches ends at the least of these that all points are below.
+/// The axis of stretches ends at the smallest of these that is above all points.
 static const double end_table[] = {1.05, 1.1, 1.25, 1.5, 2, 3, 5, 10};
 enum { ENDS = sizeof end_table / sizeof *end_table };
-/// The axis of pressures ends above the truth's highest. [1]
+/// End of the axis of pressures over the maximum of the closed form. [1]
 static const double HEADROOM = 1.3;
 
 static void fill_curve(const History* history, const Spherical* sphere, LabCurve* curve) {
-    double l = 1, p = 0, max_stretch = 1, highest = 0;
+    double l = 1, p = 0, max_stretch = 1, max_pressure = 0;
     curve->law = sphere->truth.law->name;
     curve->count = history->count;
     for (int k = 0; k < history->count; k++) {
@@ -69,13 +69,13 @@ static void fill_curve(const History* history, const Spherical* sphere, LabCurve
     while (end + 1 < ENDS && end_table[end] < max_stretch)
         end++;
     for (int k = 0; k < LAB_CURVE; k++) {
-        const double at = 1 + (end_table[end] - 1) * k / (LAB_CURVE - 1);
-        const double truth = truth_pressure(&sphere->truth, at);
-        highest = fmax(highest, truth);
+        const double stretch = 1 + (end_table[end] - 1) * k / (LAB_CURVE - 1);
+        const double truth = truth_pressure(&sphere->truth, stretch);
+        max_pressure = fmax(max_pressure, truth);
         curve->truth[k] = (float)truth;
     }
     curve->stretch = (float)end_table[end];
-    curve->pressure = (float)(HEADROOM * highest);
+    curve->pressure = (float)(HEADROOM * max_pressure);
     snprintf(curve->value, sizeof curve->value, "l %.4g  p %.4g  truth %.4g", l, p,
              truth_pressure(&sphere->truth, l));
 }

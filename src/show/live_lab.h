@@ -1,5 +1,5 @@
-/// The lab in the window: what its panel shows, measured while it is shown and not otherwise. It
-/// looks at the world and never changes it.
+/// The data of the lab panel, measured while the panel is visible. It reads the world and never
+/// changes it.
 #ifndef BALLOON_SHOW_LIVE_LAB_H
 #define BALLOON_SHOW_LIVE_LAB_H
 
@@ -11,38 +11,38 @@
 typedef struct LiveLab {
     LabPanel panel;
     History history;
-    double step_start;  ///< when the step that comes now began [ms]
-    double point_ms;    ///< on the steps since the last point [ms]
-    int point_steps;    ///< since the last point
-    bool timed;         ///< what a step costs is plotted
-    int sphere_balloon; ///< balloon that was looked at for a closed form; NONE: none was
-    Spherical sphere;   ///< its form, where the panel has a curve
+    double step_start;  ///< wall time at which the present step began [ms]
+    double point_ms;    ///< wall time of the steps since the last point of a plot [ms]
+    int point_steps;    ///< number of these steps
+    bool timed;         ///< the cost of a step is plotted
+    int sphere_balloon; ///< balloon that was tested for a closed form; NONE: none yet
+    Spherical sphere;   ///< its closed form, if the panel has a curve
     Slider slider;
-    Map map; ///< of the scene as it was loaded, whatever cell of it is watched
+    Map map; ///< of the scene with its own settings, whichever cell is watched
 } LiveLab;
 
-/// timed: what a step costs is shown too, and then no two pictures are the same. set: overrides
-/// with which the world's scene is loaded, [set_count].
+/// timed: plot the cost of a step, so that pictures depend on the machine. set: [set_count] overrides
+/// with which the world's scene was loaded.
 LiveLab* live_lab_open(const World* world, const SceneSet* set, int set_count, bool timed);
 
-/// Another world is on: the plots begin again.
+/// Clear the plots, for another world.
 void live_lab_begin(LiveLab* lab);
 
-/// Steps begin now, which nothing but they will take time from.
+/// Call before the first step of a frame: the time of a step counts from here.
 void live_lab_start(LiveLab* lab, const World* world);
 
-/// After each step. interval: steps between two points of a plot; excluded_ms: time that was not the step's
-/// [ms].
+/// Call after each step. interval: steps between two points of a plot; excluded_ms: wall time since
+/// the last call that the step did not use [ms].
 void live_lab_step(LiveLab* lab, const World* world, long interval, double excluded_ms);
 
-/// Go on with the map for so many parts, and for so long. [ms]
+/// Continue measuring the map for at most `parts` calls of map_work and `ms` of wall time.
 void live_lab_work(LiveLab* lab, double parts, double ms);
 
-/// Move the choice on the map; it stays within.
+/// Choose a cell of the map; a row or column outside the map is ignored.
 void live_lab_choose(LiveLab* lab, int row, int column);
 
-/// What is to be drawn. watched: the world is that of the chosen cell; notch: of the slider's, 1 …,
-/// or the scene as it is, 0.
+/// The panel to be drawn. watched: the world has the settings of the chosen cell; notch: of the
+/// slider, 1 …, or 0 for the scene's own settings.
 const LabPanel* live_lab_update(LiveLab* lab, const World* world, bool watched, int notch);
 
 void live_lab_close(LiveLab* lab);

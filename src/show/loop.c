@@ -8,12 +8,12 @@
 #include "show/keys.h"
 #include "view/status.h"
 
-// The lab's map may take this much of a frame, [ms], or this part of it where that is more.
+// In a window, measuring the map may take this wall time of a frame [ms], or this share of the
+// frame if that is more.
 static const double MAP_MS = 8, MAP_SHARE = 0.25;
-// And headless this many parts for each frame that is shown or left out.
+// Headless, the map gets this many parts per frame, so that films do not depend on the time.
 static const double MAP_PARTS = 400;
 
-// A drag and a turn of the wheel, as the camera takes them, are the user's hand on the scene.
 static void move_camera(Camera* camera, const Input* input) {
     camera_orbit(camera, input->orbit[0], input->orbit[1]);
     camera_pan(camera, input->pan[0], input->pan[1]);
@@ -40,7 +40,7 @@ static bool handle_input(App* app, const Input* input, Fault* fault) {
     return true;
 }
 
-/// What the guard has to say, on the screen and in the terminal.
+/// Print the world's notice, if there is one, in the overlay and in the terminal.
 static void repeat_notice(App* app) {
     char* notice = app->world->notice;
     if (!notice[0])
@@ -57,7 +57,7 @@ static long steps_per_frame(const App* app) {
     return steps > 1 ? lround(steps) : 1;
 }
 
-/// Time of the ghost's steps, which are not the scene's. [ms]
+/// CPU time of the ghost's steps, to be excluded from the cost of the scene's. [ms]
 static double ghost_ms(const App* app) {
     return app->session.ghost ? 1e3 * app->session.ghost->ghost_spent : 0;
 }
@@ -104,8 +104,7 @@ static void draw(App* app, double elapsed, double frame_ms) {
         ghost_summary(app->session.ghost, app->world, compared, sizeof compared);
     const Status status = {
         .mode = app->mode,
-        .thrower =
-            app->output.full_screen ? &app->thrower : NULL, // no user where there is no screen
+        .thrower = app->output.full_screen ? &app->thrower : NULL, // headless: no user
         .slowdown = app->pacer.slowdown,
         .paused = app->pacer.paused,
         .compared = compared,
@@ -115,7 +114,7 @@ static void draw(App* app, double elapsed, double frame_ms) {
     status_fill(&app->overlay, app->world, &app->picture, &status);
     app->overlay.lab_panel = NULL;
     if (app->lab) {
-        // a user has other frames to see, and a film must not depend on the time
+        // a window must stay fluent; a film must not depend on the time
         const bool user = app->output.full_screen;
         live_lab_work(app->lab, user ? INFINITY : MAP_PARTS * elapsed * app->options->fps,
                       user ? fmax(MAP_MS, 1e3 * MAP_SHARE * elapsed) : INFINITY);

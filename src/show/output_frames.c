@@ -13,7 +13,7 @@
 #include "show/png.h"
 #include "show/video.h"
 
-/// What becomes of a frame: a table of four.
+/// A destination of frames: a folder, a still, a film, or none.
 typedef struct Frames Frames;
 typedef struct Writer {
     bool (*open)(Frames* frames, Fault* fault);
@@ -27,8 +27,8 @@ struct Frames {
     const Writer* writer;
     Video video;
     unsigned char* rgb; ///< [height * width * 3]
-    long count;         ///< frames to be made
-    long done;          ///< frames that were made
+    long count;         ///< number of frames
+    long done;          ///< frames written
 };
 
 // ---- a folder of PNG files ----
@@ -37,14 +37,14 @@ static void frame_name(const Frames* frames, long number, char file[1024]) {
     snprintf(file, 1024, "%s/frame-%05ld.png", frames->def.out, number);
 }
 
-/// Whether a file can be made there, found by making one.
+/// Whether a file can be written, by a trial.
 static bool try_file(const char* file, const char* out, Fault* fault) {
     char temporary[1100];
     snprintf(temporary, sizeof temporary, "%s.part", file);
-    FILE* made = fopen(temporary, "wb");
-    if (!made)
+    FILE* trial = fopen(temporary, "wb");
+    if (!trial)
         return fault_set(fault, out, "cannot be written: %s", strerror(errno));
-    fclose(made);
+    fclose(trial);
     remove(temporary);
     return true;
 }
@@ -70,7 +70,7 @@ static bool folder_close(Frames* frames, bool complete, Fault* fault) {
     return complete;
 }
 
-// ---- one PNG file of the last moment ----
+// ---- one PNG file of the final state ----
 
 static bool still_open(Frames* frames, Fault* fault) {
     return try_file(frames->def.out, frames->def.out, fault);
@@ -144,7 +144,7 @@ static bool next(void* self, Input* input) {
     if (frames->done == frames->count)
         return false;
 
-    // frame k shows the time k/fps; the only frame of a still shows the last moment
+    // frame k is at time k/fps; a still is at the end
     double elapsed = frames->done == 0 ? 0 : 1 / def->fps;
     if (frames->writer == &still)
         elapsed = def->seconds;
@@ -193,7 +193,7 @@ bool output_frames(Output* output, const FramesDef* def, Fault* fault) {
                        .present = present,
                        .close = close_frames};
 
-    // a machine that cannot draw must leave no folder behind
+    // EGL first: a machine that cannot draw must leave no folder behind
     if (egl_open_surfaceless(&frames->egl, fault) && frames->writer->open(frames, fault))
         return true;
     egl_close_surfaceless(&frames->egl);

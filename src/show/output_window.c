@@ -10,22 +10,22 @@
 
 #include "base/memory.h"
 
-// Steps of the world may take this much of a frame; what is then left of them is not made, so that
-// the window answers on a machine that is too slow. [s]
+// Wall time of a frame for steps of the world. Steps beyond it are dropped, so that the window
+// responds on a slow machine. [s]
 static const double MAX_STEPS_TIME = 1.0 / 25;
-// A frame is never shorter, whatever the screen: a driver that does not wait for it would spin. [s]
+// A frame is never shorter: without it, a driver that does not wait for the screen would spin. [s]
 static const double MIN_FRAME_TIME = 1.0 / 250;
 
-// Share of the last frame in the time that the overlay shows, which would flicker else.
+// Weight of the last frame in the frame time of the overlay, an exponential average.
 static const double SMOOTHING = 0.1;
 
 typedef struct Window {
     GLFWwindow* window;
-    Input input;       ///< gathers until `next` hands it out
-    double shown_at;   ///< when the last frame began [s]
-    double frame_ms;   ///< smoothed [ms]
-    double pointer[2]; ///< [screen coordinates]
-    int windowed[4];   ///< x, y, width, height before full screen [screen coordinates]
+    Input input;        ///< collects events until `next` returns it
+    double frame_start; ///< time at which the last frame began [s]
+    double frame_ms;    ///< smoothed [ms]
+    double pointer[2];  ///< [screen coordinates]
+    int windowed[4];    ///< x, y, width, height before full screen [screen coordinates]
 } Window;
 
 // ---- keys by name, as the key tables write them ----
@@ -52,8 +52,8 @@ static const struct KeyName {
     {GLFW_KEY_F12, "f12"},
 };
 
-/// A letter is what the user's keyboard prints; where it prints no ASCII, what stands there on an
-/// American one.
+/// A letter key has the name that the user's keyboard layout prints or, if that is not ASCII, the
+/// name of the key on the American layout.
 static void name_key(int key, int scancode, char name[16]) {
     name[0] = 0;
     for (size_t k = 0; k < sizeof key_name_table / sizeof *key_name_table; k++)
@@ -68,14 +68,14 @@ static void name_key(int key, int scancode, char name[16]) {
         snprintf(name, 16, "%c", tolower(key));
 }
 
-static float fraction(double at, int size) {
-    return (float)fmin(fmax(at / fmax(size, 1), 0), 1);
+static float fraction(double position, int size) {
+    return (float)fmin(fmax(position / fmax(size, 1), 0), 1);
 }
 
 static void add_key(GLFWwindow* handle, const char* name, bool down) {
     Window* window = glfwGetWindowUserPointer(handle);
     Input* input = &window->input;
-    if (!name[0] || input->key_count == KEYS_A_FRAME)
+    if (!name[0] || input->key_count == MAX_FRAME_KEYS)
         return;
     int width, height;
     glfwGetWindowSize(handle, &width, &height);
@@ -87,7 +87,7 @@ static void add_key(GLFWwindow* handle, const char* name, bool down) {
     snprintf(event->name, sizeof event->name, "%s", name);
 }
 
-/// On loss of focus GLFW reports every key that is down as released: nothing stays held.
+/// On loss of focus GLFW reports every held key as released.
 static void on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
     (void)modifiers;
     if (action == GLFW_REPEAT)
@@ -113,8 +113,7 @@ static void on_button(GLFWwindow* handle, int button, int action, int modifiers)
                 action == GLFW_PRESS);
 }
 
-/// Events come in their order, however late: what the pointer and the buttons are by now is no
-/// matter.
+/// Events arrive in order but late, so the position is that of the event, not the present one.
 static void on_pointer(GLFWwindow* handle, double x, double y) {
     Window* window = glfwGetWindowUserPointer(handle);
     int width, height;
@@ -124,7 +123,7 @@ static void on_pointer(GLFWwindow* handle, double x, double y) {
     window->pointer[0] = x;
     window->pointer[1] = y;
 
-    // left drags orbit; right and middle ones, or left with shift, pan; with control none does
+    // a left drag orbits; a right or middle one, or left with shift, pans; left with control neither
     const bool left = button_down(handle, GLFW_MOUSE_BUTTON_LEFT) &&
                       !either_key(handle, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     const bool shift = either_key(handle, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
@@ -144,7 +143,8 @@ static void on_wheel(GLFWwindow* handle, double x, double y) {
 
 // ---- the output ----
 
-/// Pixels may be finer than screen coordinates; the overlay's text follows whichever says so.
+/// The scale of the overlay's text is the larger of pixels per screen coordinate and the content
+/// scale of the window.
 static void measure_window(Window* window) {
     Input* input = &window->input;
     int width, height;
@@ -161,17 +161,17 @@ static bool next(void* self, Input* input) {
     glfwPollEvents();
     measure_window(window);
 
-    // nothing to draw on while it is an icon, and no hurry where the driver does not wait
+    // a minimized window has no pixels; the minimum frame time limits a driver that does not wait
     while (!glfwWindowShouldClose(window->window) &&
-           (window->input.width == 0 || glfwGetTime() - window->shown_at < MIN_FRAME_TIME)) {
+           (window->input.width == 0 || glfwGetTime() - window->frame_start < MIN_FRAME_TIME)) {
         glfwWaitEventsTimeout(MIN_FRAME_TIME);
         measure_window(window);
     }
     const double now = glfwGetTime();
-    window->input.elapsed = now - window->shown_at;
+    window->input.elapsed = now - window->frame_start;
     window->frame_ms += SMOOTHING * (1e3 * window->input.elapsed - window->frame_ms);
     window->input.frame_ms = window->frame_ms;
-    window->shown_at = now;
+    window->frame_start = now;
 
     *input = window->input;
     window->input = (Input){0};
@@ -180,7 +180,7 @@ static bool next(void* self, Input* input) {
 
 static bool late(void* self) {
     const Window* window = self;
-    return glfwGetTime() - window->shown_at > MAX_STEPS_TIME;
+    return glfwGetTime() - window->frame_start > MAX_STEPS_TIME;
 }
 
 static bool present(void* self, const Renderer* renderer, Fault* fault) {
@@ -218,7 +218,7 @@ static bool close_window(void* self, bool complete, Fault* fault) {
     return complete;
 }
 
-static const char* glfw_says(void) {
+static const char* glfw_error(void) {
     const char* text = NULL;
     glfwGetError(&text);
     return text ? text : "no reason given";
@@ -228,23 +228,23 @@ bool output_window(Output* output, const char* title, int width, int height, Fau
     if (!glfwInit())
         return fault_set(fault, "window",
                          "there is no display here (%s); `balloon render` works without one",
-                         glfw_says());
+                         glfw_error());
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has buffers of its own
+    glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has its own buffers
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
 
     GLFWwindow* handle = glfwCreateWindow(width, height, title, NULL, NULL);
     if (!handle) {
-        fault_set(fault, "window", "no window with OpenGL 3.3: %s", glfw_says());
+        fault_set(fault, "window", "no window with OpenGL 3.3: %s", glfw_error());
         glfwTerminate();
         return false;
     }
     Window* window = new_array(Window, 1);
-    *window = (Window){.window = handle, .shown_at = glfwGetTime()};
+    *window = (Window){.window = handle, .frame_start = glfwGetTime()};
     glfwGetCursorPos(handle, &window->pointer[0], &window->pointer[1]);
     glfwSetWindowUserPointer(handle, window);
     glfwSetKeyCallback(handle, on_key);

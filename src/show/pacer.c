@@ -2,8 +2,9 @@
 
 #include <math.h>
 
-// Times are sums of decimal fractions: 25 steps of 0.002 must fit into three 60ths of a second.
-static const double ROUNDING = 1e-9; // [steps], and a thousandth of it of their number
+// Tolerance for rounding of decimal fractions: 25 steps of 0.002 s must fit into 3/60 s. [steps],
+// plus 1e-3 of it relative to the number of steps.
+static const double ROUNDING = 1e-9;
 
 long pacer_steps(double time, double step) {
     return (long)floor(time / step * (1 + 1e-3 * ROUNDING) + ROUNDING);
@@ -19,7 +20,7 @@ long pacer_due(Pacer* pacer, double elapsed) {
     if (pacer->paused)
         return single;
 
-    // counted from one start, so that rounding does not add up over frames
+    // counted from the start, so that rounding does not accumulate over frames
     pacer->world_time += fmin(fmax(elapsed, 0), pacer->frame_max) / pacer->slowdown;
     const long due = pacer_steps(pacer->world_time, pacer->step) - pacer->steps_due;
     pacer->steps_due += due;

@@ -6,10 +6,10 @@
 
 #include <png.h>
 
-// Level 1 with one filter takes a fifth of the time of libpng's defaults, for files little larger.
+// Level 1 with one filter takes a fifth of the time of libpng's defaults; files are little larger.
 enum { COMPRESSION = 1 };
 
-/// libpng comes back by longjmp: nothing that changes lives in this frame.
+/// libpng reports errors by longjmp, so this function has no local variables that change.
 static bool encode(png_struct* png, png_info* info, FILE* out, const unsigned char* rgb, int width,
                    int height) {
     if (setjmp(png_jmpbuf(png)))
@@ -27,19 +27,20 @@ static bool encode(png_struct* png, png_info* info, FILE* out, const unsigned ch
     return true;
 }
 
-// Errors are told by our own sentence.
-static void silent(png_struct* png, const char* text) {
+// png_write_rgb reports errors by its own fault.
+static void on_error(png_struct* png, const char* text) {
     (void)text;
     png_longjmp(png, 1);
 }
 
-static void unheard(png_struct* png, const char* text) {
+static void ignore_warning(png_struct* png, const char* text) {
     (void)png;
     (void)text;
 }
 
 static bool write_to(FILE* out, const unsigned char* rgb, int width, int height) {
-    png_struct* png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, silent, unheard);
+    png_struct* png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, on_error, ignore_warning);
     png_info* info = png ? png_create_info_struct(png) : NULL;
     const bool good = info && encode(png, info, out, rgb, width, height);
     png_destroy_write_struct(&png, &info);
@@ -48,7 +49,7 @@ static bool write_to(FILE* out, const unsigned char* rgb, int width, int height)
 
 bool png_write_rgb(const char* file, const unsigned char* rgb, int width, int height,
                    Fault* fault) {
-    // whole or not at all: a name of its own until it is written
+    // a temporary name until the file is complete
     char temporary[1024];
     if (snprintf(temporary, sizeof temporary, "%s.part", file) >= (int)sizeof temporary)
         return fault_set(fault, file, "the name is too long");

@@ -13,13 +13,13 @@
 #include "world/fails.h"
 #include "world/probe.h"
 
-/// Remember the most substeps that the guard has made of a step.
+/// Update the maximum number of substeps of a step.
 static void count_substeps(ReportLine* line, const World* world) {
     if (world->guard.substeps > line->substeps)
         line->substeps = world->guard.substeps;
 }
 
-/// Step until the world's clock reads `until` or the state is bad; adds the CPU time to `spent`.
+/// Step until the world's clock reads `until` or a blowup; add the CPU time to `spent`.
 static bool advance(Session* session, long until, bool quiet, double* spent, ReportLine* line,
                     Fault* fault) {
     World* world = session->world;
@@ -30,7 +30,7 @@ static bool advance(Session* session, long until, bool quiet, double* spent, Rep
         count_substeps(line, world);
     }
     *spent += clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - start;
-    if (session->ghost) // its steps are its own
+    if (session->ghost) // without the ghost's steps
         *spent = session->ghost->spent;
 
     if (world->notice[0] && !quiet)
@@ -62,7 +62,8 @@ static bool write_skins(const World* world, const char* path, Fault* fault) {
     return close_out(out, path, fault);
 }
 
-/// Step at which the scene says what it is about, after `from` and not after `until`, or `until`.
+/// The next step in from < step < until at which an output of the scene's `about` or `fails` is due,
+/// else `until`.
 static long next_about(const World* world, long from, long until) {
     for (unsigned k = 0; k < scene_outputs(&world->def); k++) {
         const long at = pacer_steps(world->def.about[k].at, world->step);
@@ -77,7 +78,7 @@ static long next_about(const World* world, long from, long until) {
     return until;
 }
 
-/// Measure the outputs whose time has come, and print them where people read.
+/// Measure the outputs of `about` that are due now; print: for people, too.
 static void measure_about(const World* world, ReportLine* line, bool print) {
     for (int k = 0; k < line->outputs; k++) {
         const AboutDef* about = &world->def.about[k];
@@ -114,7 +115,7 @@ static void csv_row(const Session* session, FILE* csv) {
     fputc('\n', csv);
 }
 
-/// Rows and steps, to the end or to a bad state.
+/// Step to the end or to a blowup, writing rows of the CSV.
 static bool simulate(Session* session, const RunOptions* options, FILE* csv, double* spent,
                      ReportLine* line, Fault* fault) {
     World* world = session->world;
@@ -142,7 +143,7 @@ static bool simulate(Session* session, const RunOptions* options, FILE* csv, dou
     return true;
 }
 
-/// Where the run came to its end or to a bad state; another fault has no figures.
+/// Print the report of a run that ended or blew up; after another fault there are no results.
 static void print_report(const World* world, bool good, double spent, ReportLine* line) {
     if (!good && !world->blowup.halted)
         return;
@@ -169,14 +170,14 @@ bool run(World* world, const RunOptions* options, Fault* fault) {
     session_compare(&session, options->ghost);
     bool good = !options->csv || (csv = open_out(options->csv, fault)) != NULL;
     good = good && simulate(&session, options, csv, &spent, &line, fault);
-    if (csv) // rows up to a bad state are good
+    if (csv) // rows before a blowup are valid
         good = close_out(csv, options->csv, fault) && good;
     if (good && options->obj)
         good = write_skins(world, options->obj, fault);
-    const double came = world->blowup.halted ? world_time(world) : options->seconds;
-    if (options->time && came > 0 && (good || world->blowup.halted)) // as far as a bad state came
-        printf("stepping %.6f s of CPU time for %g s: %.6f ms per simulated second\n", spent, came,
-               1e3 * spent / came);
+    const double simulated = world->blowup.halted ? world_time(world) : options->seconds;
+    if (options->time && simulated > 0 && (good || world->blowup.halted)) // until a blowup, too
+        printf("stepping %.6f s of CPU time for %g s: %.6f ms per simulated second\n", spent,
+               simulated, 1e3 * spent / simulated);
     if (good && options->ghost && !options->quiet) {
         char words[200];
         ghost_summary(options->ghost, world, words, sizeof words);

@@ -18,7 +18,7 @@ typedef struct RunOptions {
 } RunOptions;
 
 /// Row k of the CSV is the state after floor(k / (fps step)) steps, row 0 the start.
-/// False with a sentence when a file cannot be read or written, or the state went bad.
+/// Returns false with a fault if a file cannot be read or written, or after a blowup.
 bool run(World* world, const RunOptions* options, Fault* fault);
 
 #endif

@@ -18,7 +18,7 @@ static bool begin_log(Session* session, Fault* fault) {
     if (!session->log)
         return fault_set(fault, file, "this input log cannot be written: %s", strerror(errno));
 
-    // each line at once, so that a crash leaves the log that leads to it
+    // line buffered, so that after a crash the log is complete
     setvbuf(session->log, NULL, _IOLBF, BUFSIZ);
     record_title(session->world->def.file, session->log);
     return true;

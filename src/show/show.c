@@ -5,8 +5,8 @@
 
 #include "show/app.h"
 
-// A window that was held up goes on from where it was: this much of a frame counts at most. [s]
-static const double WINDOW_MOST = 1.0 / 20;
+// Pacer.frame_max of a window: after an interruption the simulation continues without a jump. [s]
+static const double MAX_WINDOW_FRAME = 1.0 / 20;
 
 ShowOptions show_options_default(void) {
     return (ShowOptions){.width = 1280, .height = 720, .fps = 60, .overlay = true};
@@ -14,7 +14,7 @@ ShowOptions show_options_default(void) {
 
 bool show_play(World* world, const ShowOptions* options, Fault* fault) {
     App app = {.options = options,
-               .pacer = {.slowdown = 1, .frame_max = WINDOW_MOST},
+               .pacer = {.slowdown = 1, .frame_max = MAX_WINDOW_FRAME},
                .end_step = LONG_MAX};
     if (options->seconds > 0)
         app.end_step = pacer_steps(options->seconds, world->step);
@@ -28,13 +28,13 @@ bool show_play(World* world, const ShowOptions* options, Fault* fault) {
     app_say(&app, "h shows the keys");
     const bool good = app_open(&app, fault) && app_run(&app, fault);
 
-    // the user has seen it, and could have gone on from it
+    // no fault: the user has seen the blowup, and could have reset the scene
     if (world->blowup.halted && !options->quiet)
         fprintf(stderr, "balloon: %s\n", world->blowup.text);
     return app_close(&app, good, fault);
 }
 
-/// Steps after the last frame, where the end is between two.
+/// Steps between the last frame and the end.
 static bool finish(App* app, double seconds, Fault* fault) {
     while (app->world->clock < pacer_steps(seconds, app->world->step))
         if (!session_step(&app->session, fault))
@@ -64,7 +64,7 @@ bool show_render(World* world, const ShowOptions* options, Fault* fault) {
         app_open(&app, fault) && app_run(&app, fault) && finish(&app, options->seconds, fault);
     good = app_close(&app, good, fault);
 
-    // the frames show it, and stay
+    // the frames up to the blowup stay
     if (world->blowup.halted)
         return fault_set(fault, world->def.file, "%s", world->blowup.text);
     return good;

@@ -16,9 +16,9 @@ void slider_open(Slider* slider, const World* world, const SceneSet* set, int se
     char* text = scene_text(world->def.file, set, set_count, false, &unused);
     if (text && advise_recall(text, &slider->advice)) {
         slider->front = new_array(const AdvicePoint*, slider->advice.count);
-        const int all = advise_front(&slider->advice, slider->front);
+        const int count = advise_front(&slider->advice, slider->front);
         const char* own = sizeof(real) == sizeof(double) ? "double" : "float";
-        for (int k = 0; k < all && slider->notches < LAB_NOTCHES; k++)
+        for (int k = 0; k < count && slider->notches < LAB_NOTCHES; k++)
             if (strcmp(slider->front[k]->precision, own) == 0)
                 slider->front[slider->notches++] = slider->front[k];
     }
@@ -42,8 +42,8 @@ void slider_step(Slider* slider, const World* world, double ms) {
     }
 }
 
-void slider_sets(const Slider* slider, const World* begun, int notch, Overrides* sets) {
-    advise_sets(begun, slider->front[notch - 1], sets);
+void slider_sets(const Slider* slider, const World* original, int notch, Overrides* sets) {
+    advise_sets(original, slider->front[notch - 1], sets);
 }
 
 __attribute__((format(printf, 2, 3))) static void say(LabSlider* panel, const char* format, ...) {

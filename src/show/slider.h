@@ -1,6 +1,6 @@
-/// From fast to accurate: the ways of stepping a scene that were measured on this machine
-/// (lab/advice/advise.h) as the notches of a slider, what was expected of the present one, and what it
-/// turns out to cost and to be off.
+/// The slider from fast to accurate. Its notches are the settings (method, step, mesh) of the scene
+/// that `balloon advise` has measured on this machine (lab/advice/advise.h). For the present notch it
+/// lists the expected error and cost, and those measured now.
 #ifndef BALLOON_SHOW_SLIDER_H
 #define BALLOON_SHOW_SLIDER_H
 
@@ -9,25 +9,27 @@
 
 typedef struct Slider {
     Advice advice;
-    const AdvicePoint** front; ///< [notches] from the cheapest to the closest, of this precision
-    int notches;               ///< 0: nothing is measured of this scene
-    double error;              ///< of the outputs whose time has come; NAN: none [1]
-    double spent;              ///< on the steps so far [ms]
+    const AdvicePoint**
+        front;    ///< [notches] from the cheapest to the most accurate, of this precision
+    int notches;  ///< 0: nothing is measured of this scene
+    double error; ///< maximum relative error of the outputs so far; NAN: none yet [1]
+    double spent; ///< wall time of the steps so far [ms]
 } Slider;
 
-/// What the cache has of the world's scene; set: its overrides, [set_count].
+/// Read the cached measurements of the world's scene. set: [set_count] its overrides.
 void slider_open(Slider* slider, const World* world, const SceneSet* set, int set_count);
 
-/// Another world is on.
+/// Reset error and time, for another world.
 void slider_begin(Slider* slider);
 
-/// After each step, which took so long. [ms]
+/// Call after each step. ms: its wall time.
 void slider_step(Slider* slider, const World* world, double ms);
 
-/// What makes the scene, as it was begun, that of a notch, 1 … notches.
-void slider_sets(const Slider* slider, const World* begun, int notch, Overrides* sets);
+/// The overrides that give the scene the settings of a notch, 1 … notches. original: the world with
+/// the scene's own settings.
+void slider_sets(const Slider* slider, const World* original, int notch, Overrides* sets);
 
-/// notch: the present one, 0: none. timed: what a frame costs is said.
+/// Fill the panel's slider. notch: the present one, 0: none. timed: print the cost of a frame.
 void slider_fill(const Slider* slider, const World* world, int notch, bool timed, LabSlider* panel);
 
 void slider_close(Slider* slider);

@@ -1,5 +1,5 @@
-/// Where the time of a frame goes, stage by stage, as the caller's thread sees it. `render --time`
-/// and a window that is left print the table.
+/// Wall time of the stages of a frame in the main thread. With --time, `render` and a closed window
+/// print the means.
 #ifndef BALLOON_SHOW_STAGES_H
 #define BALLOON_SHOW_STAGES_H
 
@@ -8,12 +8,12 @@
 typedef enum Stage {
     STAGE_STEPS,   ///< the world's steps
     STAGE_PICTURE, ///< positions, normals, colors
-    STAGE_UPLOAD,  ///< sort by depth, arrays to the driver
-    STAGE_SHADOW,  ///< the floor's
+    STAGE_UPLOAD,  ///< sort by depth, upload arrays
+    STAGE_SHADOW,  ///< compute the floor's shadow
     STAGE_SCENE,   ///< draw
-    STAGE_RESOLVE, ///< multisamples, glow
-    STAGE_OVERLAY, ///< status box and sentences
-    STAGE_PRESENT, ///< to the window, or read back and written
+    STAGE_RESOLVE, ///< resolve multisamples, draw the glow
+    STAGE_OVERLAY, ///< draw the overlay
+    STAGE_PRESENT, ///< display, or read back and write
     STAGES
 } Stage;
 
@@ -23,23 +23,23 @@ enum { RECENT_FRAMES = 64 };
 
 typedef struct Stages {
     double ms[STAGES];                    ///< sum over the frames
-    double recent[RECENT_FRAMES][STAGES]; ///< of the last frames, round and round
-    double stage_start;                   ///< when the present stage began [ms]
+    double recent[RECENT_FRAMES][STAGES]; ///< the last frames, a ring [ms]
+    double stage_start;                   ///< time at which the present stage began [ms]
     long frames;
 } Stages;
 
-/// Wall time from some moment [ms].
+/// Monotonic wall time [ms].
 double stages_now(void);
 
 void stages_begin(Stages* stages);
 
-/// What has passed since the last call belongs to this stage.
+/// Add the time since the last call to this stage.
 void stages_end(Stages* stages, Stage stage);
 
-/// The same for what the renderer has measured itself.
+/// Add the times of the renderer's stages, which it has measured itself.
 void stages_drawn(Stages* stages, RendererTimes times);
 
-/// Mean milliseconds of a frame.
+/// Print the mean times of a frame [ms].
 void stages_print(const Stages* stages);
 
 #endif

@@ -10,15 +10,15 @@
 
 extern char** environ;
 
-// 4:2:0 color, which players want, has whole pixels only in even sizes
+// players need 4:2:0 color, which is defined for even sizes only
 #define EVEN "crop=trunc(iw/2)*2:trunc(ih/2)*2"
 
 static const char* const MP4[] = {"-vf",      EVEN,      "-c:v",      "libx264",    "-crf", "18",
                                   "-pix_fmt", "yuv420p", "-movflags", "+faststart", NULL};
 static const char* const WEBM[] = {"-vf", EVEN,       "-c:v",    "libvpx-vp9", "-crf", "30", "-b:v",
                                    "0",   "-pix_fmt", "yuv420p", "-row-mt",    "1",    NULL};
-// delays are hundredths of a second: 25 frames a second are exact, 60 would not be. One palette for
-// all frames
+// delays are hundredths of a second: 25 frames a second are exact, 60 are not. One palette for all
+// frames
 static const char* const GIF[] = {
     "-vf", "fps=25,split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", NULL};
 
@@ -26,7 +26,7 @@ const VideoFormat video_table[] = {
     {".mp4", "mp4", MP4}, {".webm", "webm", WEBM}, {".gif", "gif", GIF}};
 const int video_count = sizeof video_table / sizeof *video_table;
 
-enum { ARGUMENTS_MOST = 48 };
+enum { MAX_ARGUMENTS = 48 };
 
 const VideoFormat* video_find(const char* file) {
     for (int k = 0; k < video_count; k++) {
@@ -37,7 +37,7 @@ const VideoFormat* video_find(const char* file) {
     return NULL;
 }
 
-/// ffmpeg reads our end of the pipe as its input; what it says goes to a file of ours.
+/// Start ffmpeg with the pipe as its input; its messages go to a temporary file.
 static bool spawn(Video* video, char* const* arguments, int input, Fault* fault) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -60,7 +60,7 @@ static bool spawn(Video* video, char* const* arguments, int input, Fault* fault)
 
 static bool start(Video* video, const VideoFormat* format, int width, int height, double fps,
                   Fault* fault) {
-    // no shell in between, and "file:" keeps any name from being taken for an option or an address
+    // without a shell; "file:" prevents that a name is read as an option or a URL
     char size[32], rate[32], target[1040];
     snprintf(size, sizeof size, "%dx%d", width, height);
     snprintf(rate, sizeof rate, "%.10g", fps);
@@ -70,7 +70,7 @@ static bool start(Video* video, const VideoFormat* format, int width, int height
                                   rate,       "-i",        "pipe:0", "-an",      NULL};
     const char* const after[] = {"-f", format->muxer, target, NULL};
     const char* const* const parts[] = {before, format->arguments, after};
-    char* arguments[ARGUMENTS_MOST];
+    char* arguments[MAX_ARGUMENTS];
     int count = 0;
     for (int part = 0; part < 3; part++)
         for (int k = 0; parts[part][k]; k++)
@@ -82,7 +82,7 @@ static bool start(Video* video, const VideoFormat* format, int width, int height
     if (!video->messages || pipe(ends) != 0)
         return fault_set(fault, video->file, "no pipe to ffmpeg: %s", strerror(errno));
 
-    // ffmpeg must not inherit our end of its own pipe, or it would never see it close
+    // ffmpeg must not inherit the writing end of its pipe, or it would never see it closed
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     const bool good = spawn(video, arguments, ends[0], fault);
     close(ends[0]);
@@ -100,7 +100,7 @@ bool video_open(Video* video, const VideoFormat* format, const char* file, int w
         return fault_set(fault, file, "cannot be written: %s", strerror(errno));
     fclose(probe);
 
-    // an ffmpeg that ends early is an error of ours to report, not a signal to die of
+    // if ffmpeg ends early, writing must return an error rather than raise a signal
     signal(SIGPIPE, SIG_IGN);
     if (start(video, format, width, height, fps, fault))
         return true;
@@ -114,7 +114,7 @@ bool video_add(Video* video, const unsigned char* rgb, Fault* fault) {
     return video_close(video, false, fault);
 }
 
-/// The first line that ffmpeg said.
+/// The first line of ffmpeg's messages.
 static void first_line(FILE* messages, char* line, int size) {
     rewind(messages);
     if (!fgets(line, size, messages))

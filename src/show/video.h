@@ -1,5 +1,5 @@
-/// A video file: raw frames go through a pipe into ffmpeg, which must be installed. The file
-/// appears under its name only when it is whole.
+/// A video file: raw frames go through a pipe to ffmpeg, which must be installed. The file has a
+/// temporary name until it is complete.
 #ifndef BALLOON_SHOW_VIDEO_H
 #define BALLOON_SHOW_VIDEO_H
 
@@ -8,7 +8,7 @@
 typedef struct VideoFormat {
     const char* ending;           ///< of the file's name, with the dot
     const char* muxer;            ///< ffmpeg's name of the container
-    const char* const* arguments; ///< codec and filters, ended by NULL
+    const char* const* arguments; ///< codec and filters, terminated by NULL
 } VideoFormat;
 
 extern const VideoFormat video_table[];
@@ -19,18 +19,18 @@ const VideoFormat* video_find(const char* file);
 
 typedef struct Video {
     FILE* pipe;     ///< raw frames, to ffmpeg
-    FILE* messages; ///< what ffmpeg has to say, for our own sentence
+    FILE* messages; ///< ffmpeg's messages, quoted in faults
     long process;   ///< ffmpeg's process id; 0: none
-    size_t frame;   ///< [bytes] of a frame
+    size_t frame;   ///< size of a frame [bytes]
     char file[900];
-    char temporary[1024]; ///< the name until it is whole
+    char temporary[1024]; ///< the name until the file is complete
 } Video;
 
 /// Start ffmpeg. A missing ffmpeg and a file that cannot be written are faults.
 bool video_open(Video* video, const VideoFormat* format, const char* file, int width, int height,
                 double fps, Fault* fault);
 
-/// rgb: [height * width * 3], upper row first.
+/// rgb: [height * width * 3], top row first.
 bool video_add(Video* video, const unsigned char* rgb, Fault* fault);
 
 /// End the video and wait for ffmpeg. If it fails, or `complete` is false, no file is left.

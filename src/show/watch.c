@@ -1,19 +1,19 @@
-/// What is chosen in the lab, watched: a cell of the map, the scene with its step and stiffness; a
-/// notch of the slider, the scene stepped as advised.
+/// Restarts the scene with settings chosen in the lab panel: step and stiffness of a cell of the map,
+/// or method, step and mesh of a notch of the slider.
 #include "show/app.h"
 
 #include <stdio.h>
 
 #include "lab/run/overrides.h"
 
-/// "--set guard="off" --set step=0.004 …": what the log needs beside its scene.
+/// "with --set 'guard="off"' --set 'step=0.004' …": a comment for the log.
 static void describe_overrides(const SceneSet* set, int count, char* how, size_t size) {
     size_t used = (size_t)snprintf(how, size, "with");
     for (int k = 0; k < count && used < size; k++)
         used += (size_t)snprintf(how + used, size - used, " --set '%s'", set[k].text);
 }
 
-/// The eye, the display mode and the choice stay.
+/// Reload the scene; camera and display mode stay.
 static bool reload_scene(App* app, const SceneSet* set, int count, const char* how) {
     const Camera camera = app->camera;
     const Mode* mode = app->mode;
@@ -58,15 +58,15 @@ void app_restore_scene(App* app) {
     }
 }
 
-/// What the scene as it was begun must be told for a notch. False where it does not load any more.
+/// The overrides of a notch; false if the scene's file does not load any more.
 static bool notch_overrides(const App* app, int notch, Overrides* sets, Fault* fault) {
     WorldDef def;
-    World begun; // the mesh's levels are counted from it
+    World original; // refinements of the mesh count from the scene's own
     if (!scene_load(app->world->def.file, app->set, app->set_count, &def, fault) ||
-        !world_open(&begun, &def, fault))
+        !world_open(&original, &def, fault))
         return false;
-    slider_sets(&app->lab->slider, &begun, notch, sets);
-    world_close(&begun);
+    slider_sets(&app->lab->slider, &original, notch, sets);
+    world_close(&original);
     return true;
 }
 
@@ -80,7 +80,7 @@ void app_select_notch(App* app, int notch) {
     notch = notch < 1 ? 1 : notch > last ? last : notch;
     Overrides sets = {.count = 0};
     SceneSet set[MAP_SETS];
-    char how[OVERRIDES_MOST * 64];
+    char how[MAX_OVERRIDES * 64];
     Fault fault = {0};
     if (notch == app->notch)
         return;

@@ -150,7 +150,7 @@ bool advise_run(const AdviseOptions* options, Fault* fault) {
     Advice advice = {0};
     AdvicePoint point;
     Overrides sets = {.count = 0};
-    SceneSet* all = new_array(SceneSet, options->set_count + OVERRIDES_MOST);
+    SceneSet* all = new_array(SceneSet, options->set_count + MAX_OVERRIDES);
     char* text = NULL;
     if (advise(options, false, &advice, &point, &sets, fault)) {
         const int count = join(options, &sets, all);

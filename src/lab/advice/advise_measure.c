@@ -99,7 +99,7 @@ static int points_at(const Study* study, int level) {
     Overrides sets = {.count = 0};
     if (level != 0 && !refinement_add(&study->world, level, &sets))
         return 0;
-    SceneSet set[OVERRIDES_MOST * 2];
+    SceneSet set[MAX_OVERRIDES * 2];
     int count = 0, points = 0;
     for (int k = 0; k < study->set_count; k++)
         set[count++] = study->set[k];

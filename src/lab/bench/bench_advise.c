@@ -160,7 +160,7 @@ static bool ask(const AskedScene* asked, double factor, const World* world, cons
 static bool ask_all(const AskedScene* asked, double factor, bool quick, Tally* tally,
                     Fault* fault) {
     Overrides own = {.count = 0}, first = {.count = 0};
-    SceneSet set[OVERRIDES_MOST], measured[OVERRIDES_MOST];
+    SceneSet set[MAX_OVERRIDES], measured[MAX_OVERRIDES];
     Advice advice;
     WorldDef def;
     World world;

@@ -5,7 +5,7 @@
 #include "base/fault.h"
 
 void overrides_add(Overrides* sets, const char* format, ...) {
-    ASSERT(sets->count < OVERRIDES_MOST, "there is room for the overrides");
+    ASSERT(sets->count < MAX_OVERRIDES, "there is room for the overrides");
     va_list list;
     va_start(list, format);
     vsnprintf(sets->text[sets->count++], sizeof sets->text[0], format, list);

@@ -2,10 +2,10 @@
 #ifndef BALLOON_LAB_RUN_OVERRIDES_H
 #define BALLOON_LAB_RUN_OVERRIDES_H
 
-enum { OVERRIDES_MOST = 48 };
+enum { MAX_OVERRIDES = 48 };
 
 typedef struct Overrides {
-    char text[OVERRIDES_MOST][256];
+    char text[MAX_OVERRIDES][256];
     int count;
 } Overrides;
 
