@@ -13,7 +13,7 @@ typedef struct SceneSource {
 extern const char mesh_scene[];
 
 /// Names of scenes in assets/scenes, paths of scenes and meshes, names of shapes. The fault names
-/// the places tried and what there is.
+/// the paths tried and what there is.
 bool scene_find(const char* name, SceneSource* source, Fault* fault);
 
 #endif

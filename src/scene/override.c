@@ -1,38 +1,40 @@
-/// Overrides: put a value into the tree at a path, making the keys on the way that are absent.
+/// Overrides: store a value in the tree at a path, and add the absent keys on the path.
 #include "scene/tree.h"
 
 #include <string.h>
 
-enum { VALUE_NODES_MOST = 1000 }; ///< a value with aliases to itself has no end
+enum { VALUE_NODES_MAX = 1000 }; ///< a value with aliases to itself has no end
 
-/// What is put in, and where it is said to come from.
+/// A change of the tree, and the location that its faults name.
 typedef struct Put {
     SceneTree* tree;
-    const char* place; ///< for faults
-    const char* path;  ///< the whole path
-    yaml_mark_t mark;  ///< of the nodes that are made
+    const char* location; ///< for faults
+    const char* path;     ///< the whole path
+    yaml_mark_t mark;     ///< of the nodes that are made
     Fault* fault;
 } Put;
 
 // A new node may move all others, so the mark is set by number.
-static int made(const Put* put, int node) {
+static int with_mark(const Put* put, int node) {
     ASSERT(node > 0, "there is memory for an override");
     put->tree->document.nodes.start[node - 1].start_mark = put->mark;
     return node;
 }
 
 static int make_text(const Put* put, const char* text, size_t length) {
-    return made(put, yaml_document_add_scalar(&put->tree->document, NULL, (const yaml_char_t*)text,
+    return with_mark(put,
+                     yaml_document_add_scalar(&put->tree->document, NULL, (const yaml_char_t*)text,
                                               (int)length, YAML_ANY_SCALAR_STYLE));
 }
 
 static int make_mapping(const Put* put) {
-    return made(put, yaml_document_add_mapping(&put->tree->document, NULL, YAML_ANY_MAPPING_STYLE));
+    return with_mark(put,
+                     yaml_document_add_mapping(&put->tree->document, NULL, YAML_ANY_MAPPING_STYLE));
 }
 
 static int make_list(const Put* put) {
-    return made(put,
-                yaml_document_add_sequence(&put->tree->document, NULL, YAML_ANY_SEQUENCE_STYLE));
+    return with_mark(
+        put, yaml_document_add_sequence(&put->tree->document, NULL, YAML_ANY_SEQUENCE_STYLE));
 }
 
 static void append_pair(const Put* put, int mapping, int key, int value) {
@@ -45,10 +47,10 @@ static void append_item(const Put* put, int list, int item) {
     ASSERT(good, "there is memory for an override");
 }
 
-// Copy a node of another tree with all below it. `left` goes below 0 when there is too much.
-static int copy(const Put* put, const SceneTree* from, int id, int* left) {
+// Copy a node of another tree with all below it. `remaining` nodes; below 0: the node has too many.
+static int copy(const Put* put, const SceneTree* from, int id, int* remaining) {
     const yaml_node_t* node = tree_node(from, id);
-    if (--*left < 0)
+    if (--*remaining < 0)
         return make_text(put, "", 0);
     if (node->type == YAML_SCALAR_NODE)
         return make_text(put, (const char*)node->data.scalar.value, node->data.scalar.length);
@@ -57,33 +59,33 @@ static int copy(const Put* put, const SceneTree* from, int id, int* left) {
         const int list = make_list(put);
         const yaml_node_item_t* item = node->data.sequence.items.start;
         for (; item < node->data.sequence.items.top; item++)
-            append_item(put, list, copy(put, from, *item, left));
+            append_item(put, list, copy(put, from, *item, remaining));
         return list;
     }
     const int mapping = make_mapping(put);
     const yaml_node_pair_t* pair = node->data.mapping.pairs.start;
     for (; pair < node->data.mapping.pairs.top; pair++) {
-        const int key = copy(put, from, pair->key, left);
-        append_pair(put, mapping, key, copy(put, from, pair->value, left));
+        const int key = copy(put, from, pair->key, remaining);
+        append_pair(put, mapping, key, copy(put, from, pair->value, remaining));
     }
     return mapping;
 }
 
-// A node of its own with the same children: what an alias shares is changed for this path only.
+// A copy of the node with the same children, so that an override does not change other aliases.
 static int unshare(const Put* put, int id) {
     const yaml_node_t old = *tree_node(put->tree, id);
     if (old.type == YAML_SCALAR_NODE)
         return id;
 
-    const Put as_it_was = {.tree = put->tree, .mark = old.start_mark};
+    const Put old_mark = {.tree = put->tree, .mark = old.start_mark};
     if (old.type == YAML_SEQUENCE_NODE) {
-        const int list = make_list(&as_it_was);
+        const int list = make_list(&old_mark);
         for (const yaml_node_item_t* item = old.data.sequence.items.start;
              item < old.data.sequence.items.top; item++)
             append_item(put, list, *item);
         return list;
     }
-    const int mapping = make_mapping(&as_it_was);
+    const int mapping = make_mapping(&old_mark);
     for (const yaml_node_pair_t* pair = old.data.mapping.pairs.start;
          pair < old.data.mapping.pairs.top; pair++)
         append_pair(put, mapping, pair->key, pair->value);
@@ -97,21 +99,21 @@ static bool may_add(const Put* put, int parent, const char* part, size_t length)
     const int whole_length = walked ? walked : (int)strlen(whole);
 
     if (node->type == YAML_SCALAR_NODE)
-        return fault_set(put->fault, put->place, "%.*s is one value and has no keys", whole_length,
-                         whole);
+        return fault_set(put->fault, put->location, "%.*s is one value and has no keys",
+                         whole_length, whole);
     if (node->type == YAML_SEQUENCE_NODE)
-        return fault_set(put->fault, put->place, "%.*s has no item '%.*s'; it has %d, from 0",
+        return fault_set(put->fault, put->location, "%.*s has no item '%.*s'; it has %d, from 0",
                          whole_length, whole, (int)length, part,
                          (int)(node->data.sequence.items.top - node->data.sequence.items.start));
     if (part[length] == '.' && strchr("0123456789", part[length + 1]) && part[length + 1])
-        return fault_set(put->fault, put->place,
+        return fault_set(put->fault, put->location,
                          "there is no list %.*s yet; give all of it, as in %.*s=[…]",
                          (int)(part + length - put->path), put->path,
                          (int)(part + length - put->path), put->path);
     return true;
 }
 
-static void take_out(const Put* put, int mapping, const int* slot) {
+static void remove_pair(const Put* put, int mapping, const int* slot) {
     yaml_node_t* node = put->tree->document.nodes.start + mapping - 1;
     yaml_node_pair_t* pair = node->data.mapping.pairs.start;
     while (&pair->value != slot)
@@ -121,7 +123,7 @@ static void take_out(const Put* put, int mapping, const int* slot) {
     node->data.mapping.pairs.top--;
 }
 
-/// Take the key at the path out; one that is not there stays away.
+/// Remove the key at the path, if it is there.
 static bool remove_node(const Put* put) {
     int parent = TREE_ROOT;
     for (const char* part = put->path;;) {
@@ -131,10 +133,10 @@ static bool remove_node(const Put* put) {
             return true;
         if (part[length] == '\0') {
             if (tree_node(put->tree, parent)->type == YAML_SEQUENCE_NODE)
-                return fault_set(put->fault, put->place,
+                return fault_set(put->fault, put->location,
                                  "items of a list stay; give all of it, as in %.*s=[…]",
                                  (int)(part - put->path) - 1, put->path);
-            take_out(put, parent, slot);
+            remove_pair(put, parent, slot);
             return true;
         }
         const int child = unshare(put, *slot);
@@ -167,44 +169,44 @@ static bool put_node(const Put* put, int value) {
 
 // Make the node of an override's value, read as YAML. 0 with a fault if it cannot be read.
 static int make_value(const Put* put, const char* text) {
-    SceneTree value = {.file = put->place};
-    int left = VALUE_NODES_MOST;
+    SceneTree value = {.file = put->location};
+    int remaining = VALUE_NODES_MAX;
     int node = 0;
     if (tree_parse(&value, text, strlen(text), put->fault))
-        node = tree_node(&value, TREE_ROOT) ? copy(put, &value, TREE_ROOT, &left)
+        node = tree_node(&value, TREE_ROOT) ? copy(put, &value, TREE_ROOT, &remaining)
                                             : make_text(put, "", 0);
     tree_free(&value);
-    if (left >= 0)
+    if (remaining >= 0)
         return node;
-    fault_set(put->fault, put->place, "this value is too large");
+    fault_set(put->fault, put->location, "this value is too large");
     return 0;
 }
 
-enum { FAULT_PLACE = sizeof((Fault*)0)->place };
+enum { LOCATION_SIZE = sizeof((Fault*)0)->place };
 
-static void place_of(const SceneTree* tree, int index, char place[FAULT_PLACE]) {
-    snprintf(place, FAULT_PLACE, "--set %s", tree->set[index].text);
+static void location_of(const SceneTree* tree, int index, char location[LOCATION_SIZE]) {
+    snprintf(location, LOCATION_SIZE, "--set %s", tree->set[index].text);
 }
 
 bool tree_set_path(const SceneTree* tree, int index, char path[256], const char** value,
                    Fault* fault) {
     const char* text = tree->set[index].text;
-    char place[FAULT_PLACE];
-    place_of(tree, index, place);
+    char location[LOCATION_SIZE];
+    location_of(tree, index, location);
     const char* equals = strchr(text, '=');
     if (!equals || equals == text)
-        return fault_set(fault, place, "this is not KEY=VALUE, as in step=0.001");
+        return fault_set(fault, location, "this is not KEY=VALUE, as in step=0.001");
     if (snprintf(path, 256, "%.*s", (int)(equals - text), text) >= 256)
-        return fault_set(fault, place, "there is no key as long as this");
+        return fault_set(fault, location, "there is no key as long as this");
     *value = equals + 1;
     return true;
 }
 
 bool tree_set(SceneTree* tree, int index, const char* path, const char* value, Fault* fault) {
-    char place[FAULT_PLACE];
-    place_of(tree, index, place);
+    char location[LOCATION_SIZE];
+    location_of(tree, index, location);
     const Put put = {.tree = tree,
-                     .place = place,
+                     .location = location,
                      .path = path,
                      .mark = {.line = TREE_SET_LINE + (size_t)index},
                      .fault = fault};
@@ -222,6 +224,6 @@ void tree_set_key(SceneTree* tree, int mapping, int pair, const char* name) {
 }
 
 bool tree_set_text(SceneTree* tree, const char* path, const char* text, Fault* fault) {
-    const Put put = {.tree = tree, .place = tree->file, .path = path, .fault = fault};
+    const Put put = {.tree = tree, .location = tree->file, .path = path, .fault = fault};
     return put_node(&put, make_text(&put, text, strlen(text)));
 }

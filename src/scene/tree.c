@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_MOST = 256 }; ///< libyaml takes time quadratic in the depth
+enum { DEPTH_MAX = 256 }; ///< libyaml takes time quadratic in the depth
 static const size_t NO_LINE = (size_t)-1;
 
 // What libyaml's reader complains about has an offset and no line.
@@ -15,7 +15,7 @@ static size_t line_at(const char* text, size_t size, size_t offset) {
     return line;
 }
 
-// The line on which brackets lie more than DEPTH_MOST in each other, or NO_LINE. Those in comments
+// The line on which brackets lie more than DEPTH_MAX in each other, or NO_LINE. Those in comments
 // and quotes are counted too, for a scene has few.
 static size_t deep_line(const char* text, size_t size) {
     int depth = 0;
@@ -24,18 +24,18 @@ static size_t deep_line(const char* text, size_t size) {
             depth++;
         else if ((text[i] == ']' || text[i] == '}') && depth > 0)
             depth--;
-        if (depth > DEPTH_MOST)
+        if (depth > DEPTH_MAX)
             return line_at(text, size, i);
     }
     return NO_LINE;
 }
 
-// A sentence with the place of a line, which may be an override's.
+// A fault with the location of a line, which may be an override's.
 static bool line_fault(const SceneTree* tree, size_t line, Fault* fault, const char* sentence) {
     if (line >= TREE_SET_LINE) {
-        char place[sizeof fault->place];
-        snprintf(place, sizeof place, "--set %s", tree->set[line - TREE_SET_LINE].text);
-        return fault_set(fault, place, "%s", sentence);
+        char location[sizeof fault->place];
+        snprintf(location, sizeof location, "--set %s", tree->set[line - TREE_SET_LINE].text);
+        return fault_set(fault, location, "%s", sentence);
     }
     if (tree->numbered)
         return fault_at(fault, tree->file, (long)line + 1, "%s", sentence);
@@ -44,7 +44,7 @@ static bool line_fault(const SceneTree* tree, size_t line, Fault* fault, const c
 
 static bool syntax_fault(const SceneTree* tree, const yaml_parser_t* parser, const char* text,
                          size_t size, Fault* fault) {
-    // what is missing at the end is missed on the line after the last
+    // libyaml names the line after the last where the end is incomplete
     const size_t last = line_at(text, size, size > 0 ? size - 1 : 0);
     size_t line = parser->error == YAML_READER_ERROR ? line_at(text, size, parser->problem_offset)
                                                      : parser->problem_mark.line;

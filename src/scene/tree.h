@@ -1,5 +1,5 @@
 /// A scene's YAML as a tree of nodes, each of which knows where it came from: a line of the file,
-/// or an override. What is wrong is said with that place; overrides are put in here.
+/// or an override. Faults name that location. Overrides change the tree.
 ///
 /// Nodes are libyaml's, by number; the root is node 1.
 #ifndef BALLOON_SCENE_TREE_H
@@ -15,9 +15,9 @@ enum {
 };
 
 typedef struct SceneTree {
-    const char* file;    ///< what places name
-    bool numbered;       ///< the file's lines are those of the text; else places are without
-    const SceneSet* set; ///< the overrides, for places
+    const char* file;    ///< that locations name
+    bool numbered;       ///< the file's lines are those of the text; else locations have no line
+    const SceneSet* set; ///< the overrides, for locations
     yaml_document_t document;
 } SceneTree;
 
@@ -48,13 +48,13 @@ void tree_set_key(SceneTree* tree, int mapping, int pair, const char* name);
 /// Put a text in at a path as it is, not read as YAML. In override.c.
 bool tree_set_text(SceneTree* tree, const char* path, const char* text, Fault* fault);
 
-/// Refuse a node: a sentence with the node's place. A mapping into which an override put a key is
-/// the override's.
+/// A fault about a node, with the node's location: the override's, for a mapping into which one
+/// put a key.
 bool tree_fault(const SceneTree* tree, int node, Fault* fault, const char* format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/// The tree as YAML again, in a form in which nothing is left to guess: every scalar quoted, every
-/// alias written out; or for people, as scenes are written. A zero byte follows. Only for trees
+/// The tree as YAML again, with every scalar quoted and every alias written out, or laid out
+/// for people. A zero byte follows. Only for trees
 /// that passed validate_scene, which bounds them. The caller frees it.
 char* tree_text(const SceneTree* tree, bool for_people, size_t* size);
 

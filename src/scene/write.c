@@ -1,26 +1,20 @@
 /// Writes a tree as YAML again, for files that a person or another run reads.
 #include "scene/tree.h"
 
-#include <stdlib.h>
-#include <string.h>
+#include "base/array.h"
 
 typedef struct Text {
     char* byte;
-    size_t size;
-    size_t room;
+    int size;
+    int capacity;
 } Text;
 
 static int append(void* data, unsigned char* byte, size_t size) {
     Text* text = data;
-    if (text->size + size > text->room) {
-        text->room = 2 * (text->size + size);
-        char* larger = realloc(text->byte, text->room);
-        if (!larger)
-            return 0;
-        text->byte = larger;
+    for (size_t i = 0; i < size; i++) {
+        array_reserve(text->byte, text->size, text->capacity);
+        text->byte[text->size++] = (char)byte[i];
     }
-    memcpy(text->byte + text->size, byte, size);
-    text->size += size;
     return 1;
 }
 
@@ -28,7 +22,7 @@ static bool emit(yaml_emitter_t* emitter, yaml_event_t event) {
     return yaml_emitter_emit(emitter, &event);
 }
 
-/// How a tree is written: with nothing left to guess, or for people.
+/// How a tree is written: every scalar quoted, or for people.
 typedef struct Writer {
     yaml_emitter_t* emitter;
     const SceneTree* tree;
@@ -112,6 +106,6 @@ char* tree_text(const SceneTree* tree, bool for_people, size_t* size) {
     }
     yaml_emitter_delete(&emitter);
     ASSERT(good, "a validated tree can be written out, memory permitting");
-    *size = text.size;
+    *size = (size_t)text.size;
     return text.byte;
 }

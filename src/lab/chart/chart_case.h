@@ -30,6 +30,7 @@ enum { CHART_SETS = 4, CHART_SKINS = 8, CHART_MEASURES = 6 };
 
 typedef struct ChartSkin {
     const char* set[CHART_SETS]; ///< keys of the scene, up to the first NULL
+    const char* material;        ///< of a membrane in `set`; NULL: the scene's own skin
     const char* law;             ///< a skin of springs with this law; NULL: the scene's own skin
     double (*sheet)(void);       ///< and of this E h: kd = E h/2, ks + 4 kf = E h [N/m]
     double mass;                 ///< of all particles together [kg]; 0: the scene's

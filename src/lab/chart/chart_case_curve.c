@@ -3,8 +3,6 @@
 /// pressure at rest is what the skin's law says. A membrane's truth is its own law's closed form,
 /// and other laws than rubber's stand apart from the best; that of springs is rubber's, for which
 /// they stand, Hooke's fitted to it at l = 1.1.
-#include <string.h>
-
 #include "lab/chart/chart_sphere.h"
 
 static const double fitted_at = 1.1; ///< [l]
@@ -20,14 +18,9 @@ static double amount_for(double l) {
     return l * l * l * (1 + truth_pressure(&rubber, l) / rubber.ambient);
 }
 
-/// Of a membrane, from its words; springs stand for rubber.
+/// Of a membrane; springs stand for rubber.
 static const TruthLaw* law_of(const ChartSkin* skin) {
-    const char key[] = "material: ";
-    const char* words = skin->set[0] ? strstr(skin->set[0], key) : NULL;
-    char name[32];
-    if (words && sscanf(words + strlen(key), "%31[^,]", name) == 1)
-        return truth_law_find(name);
-    return truth_law_find("neo-hookean");
+    return truth_law_find(skin->material ? skin->material : "neo-hookean");
 }
 
 /// Its pressure at rest with that gas.
@@ -62,9 +55,11 @@ static const ChartResolution curve_of_links[] = {
 };
 // clang-format on
 
-#define MEMBRANE(words)                                                                            \
-    "balloons.0.skin={membrane: {material: " words ", young: 1e6, density: 1000, thickness: "      \
-    "3e-4}}"
+/// A membrane of another material than the scene's, and the material's own parameter.
+#define MEMBRANE(name, parameter)                                                                  \
+    .set = {"balloons.0.skin={membrane: {material: " name ", " parameter                           \
+            ", young: 1e6, density: 1000, thickness: 3e-4}}"},                                     \
+    .material = name
 
 /// A row of the curve.
 #define CURVE(l)                                                                                   \
@@ -82,11 +77,9 @@ const ChartCase chart_sphere_curve = {
     .rows = 2.5,
     .skin =
         {{.set = {"guard=off"}, .resolution = rubber_curve},
-         {.set = {MEMBRANE("mooney-rivlin, mooney: 0.1")},
-          .apart = true,
-          .resolution = other_curve},
-         {.set = {MEMBRANE("stvk, poisson: 0.45")}, .apart = true, .resolution = other_curve},
-         {.set = {MEMBRANE("stvk-3d, poisson: 0.45")}, .apart = true, .resolution = other_curve},
+         {MEMBRANE("mooney-rivlin", "mooney: 0.1"), .apart = true, .resolution = other_curve},
+         {MEMBRANE("stvk", "poisson: 0.45"), .apart = true, .resolution = other_curve},
+         {MEMBRANE("stvk-3d", "poisson: 0.45"), .apart = true, .resolution = other_curve},
          {RUBBER_SPRINGS, .resolution = spring_curve},
          {.law = "hooke", .sheet = hooke_sheet, .mass = SPHERE_MASS, .resolution = spring_curve}},
     .measure = {CURVE(1.1), CURVE(1.5), CURVE(2), CURVE(3)},
