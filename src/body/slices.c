@@ -6,6 +6,11 @@
 #include "base/memory.h"
 #include "mesh/counting_sort.h"
 
+/// A neighbour, and the particle's end of its spring to it.
+typedef struct Slot {
+    int neighbour, end;
+} Slot;
+
 /// What the slots are made from, and those of one particle.
 typedef struct Maker {
     const Mesh* mesh;
@@ -13,10 +18,13 @@ typedef struct Maker {
     int* spring_from; ///< [count + 1] where a particle's springs begin in `spring`
     int* spring;      ///< 2 s + k for its end k of spring s
     int* met;         ///< [count] the particle's end of its spring to a neighbour, or NONE
-    int faces;        ///< pairs of slots in the particle's ring
+    int (
+        *beside)[2]; ///< [count] the particle's faces whose b, and whose d, is a neighbour, or NONE
+    int faces;       ///< pairs of slots in the particle's ring
     int slots;
     int* neighbour; ///< [slots]
     int* end;       ///< [slots] as in `spring`, or NONE
+    Slot* slot;     ///< [slots] those that are sorted
 } Maker;
 
 /// Corners of a face around point a: b after it, c across, d before.
@@ -41,20 +49,31 @@ static bool is_lowest(int a, Corners corners) {
     return a < corners.b && a < corners.c && a < corners.d;
 }
 
+/// Enter the faces of a point at its neighbours, so that a walk around it takes linear time at any
+/// valence; or take them out again.
+static void enter_faces(Maker* maker, int a, bool in) {
+    const Mesh* mesh = maker->mesh;
+    for (int k = mesh->point_face_from[a + 1] - 1; k >= mesh->point_face_from[a]; k--) {
+        const int face = mesh->point_face[k];
+        const Corners here = corners_at(mesh, face, a);
+        maker->beside[here.b][0] = in ? face : NONE;
+        maker->beside[here.d][1] = in ? face : NONE;
+    }
+}
+
 /// Where a walk around a point begins: the first face of a fan; on a closed ring where those begin
 /// that are counted at it, if any.
-static Corners first_face(const Mesh* mesh, int a) {
+static Corners first_face(const Maker* maker, int a) {
+    const Mesh* mesh = maker->mesh;
     const int *from = &mesh->point_face[mesh->point_face_from[a]],
               *to = &mesh->point_face[mesh->point_face_from[a + 1]];
     Corners first = corners_at(mesh, *from, a);
     for (const int* f = from; f < to; f++) {
         const Corners here = corners_at(mesh, *f, a);
-        const int* before = from;
-        while (before < to && corners_at(mesh, *before, a).d != here.b)
-            before++;
-        if (before == to)
+        const int before = maker->beside[here.b][1];
+        if (before == NONE)
             return here;
-        if (is_lowest(a, here) && !is_lowest(a, corners_at(mesh, *before, a)))
+        if (is_lowest(a, here) && !is_lowest(a, corners_at(mesh, before, a)))
             first = here;
     }
     return first;
@@ -62,23 +81,24 @@ static Corners first_face(const Mesh* mesh, int a) {
 
 /// The faces around a point in their order, b and c of each into `ring`. Returns the pairs. The
 /// doctor lets no point through where two rings touch.
-static int find_ring(const Mesh* mesh, int a, int (*ring)[2]) {
-    const int from = mesh->point_face_from[a], faces = mesh->point_face_from[a + 1] - from;
-    Corners now = first_face(mesh, a);
+static int find_ring(Maker* maker, int a, int (*ring)[2]) {
+    const Mesh* mesh = maker->mesh;
+    const int faces = mesh->point_face_from[a + 1] - mesh->point_face_from[a];
+    enter_faces(maker, a, true);
+    Corners now = first_face(maker, a);
     const int first = now.b;
     for (int k = 0; k < faces; k++) {
         ring[k][0] = now.b;
         ring[k][1] = now.c;
-        const int next = now.d;
-        for (int f = 0; f < faces && now.b != next; f++)
-            now = corners_at(mesh, mesh->point_face[from + f], a);
-        if (k + 1 == faces && next != first) {
-            ring[faces][0] = next;
-            ring[faces][1] = a;
-            return faces + 1;
-        }
+        if (k + 1 < faces)
+            now = corners_at(mesh, maker->beside[now.d][0], a);
     }
-    return faces;
+    enter_faces(maker, a, false);
+    if (now.d == first)
+        return faces;
+    ring[faces][0] = now.d;
+    ring[faces][1] = a;
+    return faces + 1;
 }
 
 static void put(Maker* maker, int neighbour) {
@@ -87,16 +107,22 @@ static void put(Maker* maker, int neighbour) {
     maker->met[neighbour] = NONE; // a neighbour that comes twice has its spring once
 }
 
+static int by_neighbour(const void* a, const void* b) {
+    const int i = ((const Slot*)a)->neighbour, j = ((const Slot*)b)->neighbour;
+    return (i > j) - (i < j);
+}
+
 /// Slots beside the ring, by the numbers of their neighbours: then they are in the same directions
 /// all along a front.
 static void sort_left(Maker* maker) {
-    int *neighbour = maker->neighbour, *end = maker->end;
-    for (int k = 2 * maker->faces + 1; k < maker->slots; k++)
-        for (int j = k; j > 2 * maker->faces && neighbour[j] < neighbour[j - 1]; j--) {
-            const int other[2] = {neighbour[j], end[j]};
-            neighbour[j] = neighbour[j - 1], end[j] = end[j - 1];
-            neighbour[j - 1] = other[0], end[j - 1] = other[1];
-        }
+    const int from = 2 * maker->faces, count = maker->slots - from;
+    for (int k = 0; k < count; k++)
+        maker->slot[k] = (Slot){maker->neighbour[from + k], maker->end[from + k]};
+    qsort(maker->slot, (size_t)count, sizeof *maker->slot, by_neighbour);
+    for (int k = 0; k < count; k++) {
+        maker->neighbour[from + k] = maker->slot[k].neighbour;
+        maker->end[from + k] = maker->slot[k].end;
+    }
 }
 
 /// The slots of one particle: its ring, and the springs that are left.
@@ -111,7 +137,7 @@ static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
     }
     maker->slots = maker->faces = 0;
     if (mesh) {
-        maker->faces = find_ring(mesh, particle, ring);
+        maker->faces = find_ring(maker, particle, ring);
         for (int k = 0; k < 2 * maker->faces; k++)
             put(maker, ring[k / 2][k % 2]);
     }
@@ -190,9 +216,12 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     slices->faces = new_array(int, slices->count);
     slices->counted_from = new_array(int, slices->count + 1);
     slices->sum = new_array(double[5], parts_of(slices->count, PART_SLICES));
-    Maker maker = {.mesh = mesh, .springs = springs, .met = new_array(int, count)};
+    Maker maker = {.mesh = mesh,
+                   .springs = springs,
+                   .met = new_array(int, count),
+                   .beside = new_array(int[2], count)};
     for (int i = 0; i < count; i++)
-        maker.met[i] = NONE;
+        maker.met[i] = maker.beside[i][0] = maker.beside[i][1] = NONE;
     slices->open = mesh && !mesh->closed;
     const int pairs = mesh ? most_between(mesh->point_face_from, count) + 1 : 0;
     int(*ring)[2] = new_array(int[2], pairs);
@@ -207,6 +236,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     }
     maker.neighbour = new_array(int, most);
     maker.end = new_array(int, most);
+    maker.slot = new_array(Slot, most);
 
     const int slots = count_slots(slices, &maker, count, ring);
     slices->place = new_array(uint32_t[LANES], slots);
@@ -226,10 +256,12 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
         slices->line[k] = new_array(real, slices->count * LANES);
     free(ring);
     free(maker.met);
+    free(maker.beside);
     free(maker.spring_from);
     free(maker.spring);
     free(maker.neighbour);
     free(maker.end);
+    free(maker.slot);
 }
 
 void slices_free(Slices* slices) {

@@ -80,6 +80,19 @@ static void find_flexion(const Mesh* mesh, int* seen, Pairs* pairs) {
     }
 }
 
+double springs_paths(const Mesh* mesh, int* vertex) {
+    double paths = 0, most = 0;
+    for (int i = 0; i < mesh->point_count; i++) {
+        const double valence = mesh->point_edge_from[i + 1] - mesh->point_edge_from[i];
+        paths += valence * (valence - 1) / 2;
+        if (valence > most) {
+            most = valence;
+            *vertex = i;
+        }
+    }
+    return paths;
+}
+
 static void forget(int* seen, int count) {
     for (int i = 0; i < count; i++)
         seen[i] = NONE;

@@ -35,6 +35,14 @@ typedef struct Springs {
                                 ///< of attached stiffness: no mode is faster, however deformed
 } Springs;
 
+/// Paths of two edges that a mesh may have with flexion springs or torsion, which join the ends of
+/// each: those of the largest file of valence 6. A vertex of valence n has n (n - 1) / 2.
+enum { SPRING_PATHS_MAX = 1 << 25 };
+
+/// The number of paths of two edges, an upper bound of the flexion springs; `vertex` is the point of
+/// most edges.
+double springs_paths(const Mesh* mesh, int* vertex);
+
 /// The pairs of the kinds that are wanted, kind after kind. `end` is allocated.
 void springs_find(const Mesh* mesh, const bool wanted[SPRING_KINDS], Springs* springs);
 

@@ -29,12 +29,17 @@ bool verb_check(const Options* options, Fault* fault) {
     if (!good)
         return false;
 
-    const bool all[SPRING_KINDS] = {true, true, true};
+    int vertex = 0;
+    const double paths = springs_paths(&mesh, &vertex);
+    const bool all[SPRING_KINDS] = {true, true, paths <= SPRING_PATHS_MAX};
     Springs springs = {0};
     springs_find(&mesh, all, &springs);
     for (int kind = 0; kind < SPRING_KINDS; kind++)
-        printf("%s springs: %d\n", spring_kind_name[kind],
-               springs.from[kind + 1] - springs.from[kind]);
+        if (all[kind])
+            printf("%s springs: %d\n", spring_kind_name[kind],
+                   springs.from[kind + 1] - springs.from[kind]);
+        else
+            printf("%s springs: too many to be made, up to %.3g\n", spring_kind_name[kind], paths);
     springs_free(&springs);
     mesh_free(&mesh);
     return true;

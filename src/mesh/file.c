@@ -4,16 +4,13 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/input_file.h"
 #include "base/memory.h"
 
 static bool read_open(FileText* file, FILE* in, const char* path, size_t size_max, Fault* fault) {
     struct stat status;
     if (fstat(fileno(in), &status) != 0)
         return fault_set(fault, path, "cannot be read: %s", strerror(errno));
-    if (S_ISDIR(status.st_mode))
-        return fault_set(fault, path, "is a folder; name a file in it");
-    if (!S_ISREG(status.st_mode))
-        return fault_set(fault, path, "is not a file");
     if (status.st_size == 0)
         return fault_set(fault, path, "is empty");
     if ((size_t)status.st_size > size_max)
@@ -41,9 +38,9 @@ static void make_plain(FileText* file) {
 
 bool file_read_bytes(FileText* file, const char* path, size_t size_max, Fault* fault) {
     *file = (FileText){0};
-    FILE* in = fopen(path, "rb");
+    FILE* in = input_file_open(path, fault);
     if (!in)
-        return fault_set(fault, path, "cannot be opened: %s", strerror(errno));
+        return false;
     const bool good = read_open(file, in, path, size_max, fault);
     fclose(in);
     if (!good)

@@ -27,16 +27,21 @@ static int next_around(const Edges* edges, const int (*face)[4], int item) {
     return NONE;
 }
 
-/// Sort a point's neighbours counter-clockwise around it.
-static void sort_around(const Edges* edges, const int (*face)[4], int count, int* item) {
+/// Sort a point's neighbours counter-clockwise around it, in time linear in their number.
+/// at: [point_count] scratch: the position of each neighbour in the list.
+static void sort_around(const Edges* edges, const int (*face)[4], int count, int* item, int* at) {
+    for (int k = 0; k < count; k++)
+        at[neighbour_of(edges, item[k])] = k;
     for (int i = 1; i < count; i++) {
         const int next = next_around(edges, face, item[i - 1]);
-        for (int k = i; k < count; k++)
-            if (neighbour_of(edges, item[k]) == next) {
-                const int swap = item[i];
-                item[i] = item[k];
-                item[k] = swap;
-            }
+        const int k = next == NONE ? 0 : at[next];
+        if (k < i)
+            continue; // a rim, or a full circle: what remains keeps its order
+        const int swap = item[i];
+        item[i] = item[k];
+        item[k] = swap;
+        at[neighbour_of(edges, swap)] = k;
+        at[next] = i;
     }
 }
 
@@ -46,10 +51,12 @@ static void number_points(Mesh* mesh, const Edges* edges, const int (*face)[4]) 
     const int ends = 2 * edges->count;
     int* from = new_array(int, points + 1);
     int* neighbour = new_array(int, ends);
+    int* at = new_array(int, points);
 
     counting_sort(edges->end[0], ends, points, from, neighbour);
     for (int p = 0; p < points; p++)
-        sort_around(edges, face, from[p + 1] - from[p], &neighbour[from[p]]);
+        sort_around(edges, face, from[p + 1] - from[p], &neighbour[from[p]], at);
+    free(at);
     for (int i = 0; i < ends; i++)
         neighbour[i] = neighbour_of(edges, neighbour[i]);
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/input_file.h"
 #include "base/memory.h"
 #include "scene/find.h"
 #include "scene/rename.h"
@@ -24,9 +25,9 @@ static bool read_stream(FILE* in, const char* path, char* text, size_t* size, Fa
 }
 
 static bool read_file(const char* path, char** text, size_t* size, Fault* fault) {
-    FILE* in = fopen(path, "rb");
+    FILE* in = input_file_open(path, fault);
     if (!in)
-        return fault_set(fault, path, "it cannot be opened: %s", strerror(errno));
+        return false;
     *text = new_array(char, SCENE_BYTES_MAX + 1);
     const bool good = read_stream(in, path, *text, size, fault);
     fclose(in);

@@ -213,6 +213,20 @@ static void make(Balloon* balloon, const WorldDef* world) {
     balloon_fill(balloon, 0);
 }
 
+/// Flexion springs and torsion join the ends of each two edges at a vertex: too many, if it has many.
+static bool check_paths(const Balloon* balloon, const char* location, int number, Fault* fault) {
+    const SpringsDef* springs = balloon->def->skin.springs;
+    int vertex = 0;
+    if (!springs || springs->flexion + springs->torsion <= 0)
+        return true;
+    const double paths = springs_paths(&balloon->mesh, &vertex);
+    return paths <= SPRING_PATHS_MAX ||
+           fault_set(fault, location,
+                     "balloons.%d: %s has %.3g paths of two edges, most through particle %d; set "
+                     "skin.springs.flexion and torsion to 0, which join the ends of each",
+                     number, balloon->def->model, paths, balloon->mesh.loaded[vertex]);
+}
+
 /// Check the def against the mesh: numbers of particles, and that a mesh to be inflated is closed.
 static bool check_mesh(const Balloon* balloon, const char* location, int number, Fault* fault) {
     const BalloonDef* def = balloon->def;
@@ -229,7 +243,7 @@ static bool check_mesh(const Balloon* balloon, const char* location, int number,
             return fault_set(fault, location,
                              "balloons.%d.strings.%u.at: %s has particles 0 to %d, not %s", number,
                              k, def->model, balloon->mesh.point_count - 1, def->strings[k].at);
-    return true;
+    return check_paths(balloon, location, number, fault);
 }
 
 bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, int number,

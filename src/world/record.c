@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/input_file.h"
 #include "base/table.h"
 #include "base/memory.h"
 #include "world/command.h"
@@ -178,9 +179,9 @@ static bool read_all(FILE* in, Record* record, Line* line) {
 
 bool record_load(const char* file, Record* record, Fault* fault) {
     *record = (Record){0};
-    FILE* in = fopen(file, "r");
+    FILE* in = input_file_open(file, fault);
     if (!in)
-        return fault_set(fault, file, "it cannot be opened: %s", strerror(errno));
+        return false;
 
     Line line = {.file = file, .fault = fault};
     const bool good = read_all(in, record, &line);

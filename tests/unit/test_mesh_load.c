@@ -190,6 +190,23 @@ static void bad_files_are_named(void** state) {
     rmdir(folder.folder);
 }
 
+/// At once: to open a pipe waits for its writer, and a device may have no end.
+static void pipes_and_devices_are_refused(void** state) {
+    (void)state;
+    for (int k = 0; k < mesh_format_count; k++) {
+        char name[32];
+        snprintf(name, sizeof name, "mesh%s", mesh_format_table[k].extension);
+        const TextFile pipe = write_bytes(name, "", 0);
+        unlink(pipe.path);
+        assert_int_equal(mkfifo(pipe.path, 0600), 0);
+        refuse_path(pipe.path, "it is a pipe or a device");
+        unlink(pipe.path);
+        assert_int_equal(symlink("/dev/zero", pipe.path), 0);
+        refuse_path(pipe.path, "it is a pipe or a device");
+        remove_file(&pipe);
+    }
+}
+
 static void capital_extension_is_an_obj_file(void** state) {
     (void)state;
     const char text[] = CUBE_POINTS CUBE_FACES;
@@ -327,6 +344,7 @@ int main(void) {
         cmocka_unit_test(locale_does_not_matter),
         cmocka_unit_test(bad_lines_are_named),
         cmocka_unit_test(bad_files_are_named),
+        cmocka_unit_test(pipes_and_devices_are_refused),
         cmocka_unit_test(capital_extension_is_an_obj_file),
         cmocka_unit_test(many_groups_cost_nothing),
         cmocka_unit_test(long_continued_lines_are_read),

@@ -179,7 +179,11 @@ static void files_that_are_no_logs_are_refused(void** state) {
     fault = (Fault){0};
     assert_false(record_load(folder, &record, &fault));
     assert_string_equal(fault.place, folder);
-    assert_string_equal(fault.text, "it cannot be read: Is a directory");
+    assert_string_equal(fault.text, "it is a folder; name a file in it");
+
+    fault = (Fault){0};
+    assert_false(record_load("/dev/zero", &record, &fault));
+    assert_string_equal(fault.text, "it is a pipe or a device; name a file");
 
     fault = (Fault){0};
     assert_false(record_load("/nowhere/input.log", &record, &fault));

@@ -174,7 +174,13 @@ static void files_that_are_no_scenes_are_refused(void** state) {
     assert_false(scene_load(scene, NULL, 0, &def, &fault));
     rmdir(scene);
     assert_string_equal(fault.place, scene);
-    assert_string_equal(fault.text, "it cannot be read: Is a directory");
+    assert_string_equal(fault.text, "it is a folder; name a file in it");
+
+    fault = (Fault){0};
+    assert_int_equal(mkfifo(scene, 0600), 0);
+    assert_false(scene_load(scene, NULL, 0, &def, &fault));
+    remove(scene);
+    assert_string_equal(fault.text, "it is a pipe or a device; name a file");
 }
 
 static void a_file_that_may_not_be_read_is_refused(void** state) {

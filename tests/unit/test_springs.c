@@ -1,4 +1,6 @@
 /// Springs: how many there are of each kind, and that each pair is there once.
+#include <sys/resource.h>
+
 #include "bodies.h"
 
 static void count(const char* name, int want[SPRING_KINDS]) {
@@ -150,6 +152,63 @@ static void torsion_paths_are_those_of_flexion(void** state) {
     mesh_free(&mesh);
 }
 
+/// Two fans of triangles, each around a pole of `count` edges.
+static void poles(int count, Mesh* mesh) {
+    double4* point = new_array(double4, count + 2);
+    int(*face)[4] = new_array(int[4], 2 * count);
+    point[count] = (double4){0, 1, 0};
+    point[count + 1] = (double4){0, -1, 0};
+    for (int i = 0; i < count; i++) {
+        const double angle = 2 * 3.141592653589793 * i / count;
+        point[i] = (double4){cos(angle), 0, sin(angle)};
+        const int next = (i + 1) % count;
+        memcpy(face[2 * i], (int[4]){count, next, i, NONE}, sizeof *face);
+        memcpy(face[2 * i + 1], (int[4]){count + 1, i, next, NONE}, sizeof *face);
+    }
+    mesh_make(mesh, point, count + 2, (const int(*)[4])face, 2 * count);
+    free(point);
+    free(face);
+}
+
+/// Time linear in the edges: quadratic, 200,000 around one vertex take minutes, and end the program.
+static void a_vertex_may_have_any_number_of_edges(void** state) {
+    (void)state;
+    enum { COUNT = 200000 };
+    struct rlimit before, limit;
+    getrlimit(RLIMIT_CPU, &before);
+    limit = (struct rlimit){.rlim_cur = 60, .rlim_max = before.rlim_max};
+    setrlimit(RLIMIT_CPU, &limit);
+    Mesh mesh;
+    Body body;
+    poles(COUNT, &mesh);
+    body_of(&mesh, &body);
+    body_add_springs(&body, (double[SPRING_KINDS]){50, 0, 0}, LAW_HOOKE);
+    assert_int_equal(body.springs.count, 3 * COUNT);
+    int vertex;
+    assert_true(springs_paths(&mesh, &vertex) > (double)COUNT * COUNT);
+    assert_int_equal(mesh.loaded[vertex] % COUNT, 0);
+    body_free(&body);
+    mesh_free(&mesh);
+    setrlimit(RLIMIT_CPU, &before);
+}
+
+/// The paths are the pairs of edges at a vertex: of them are flexion springs, shear springs, and the
+/// third sides of triangles.
+static void paths_bound_the_flexion_springs(void** state) {
+    (void)state;
+    static const char* const names[] = {"torus:8x6", "cube-sphere:4", "icosphere:2", "grid:5x3"};
+    for (int k = 0; k < 4; k++) {
+        Mesh mesh;
+        Springs springs = {0};
+        int vertex;
+        mesh_of(names[k], &mesh);
+        springs_find(&mesh, (bool[SPRING_KINDS]){false, false, true}, &springs);
+        assert_true(springs_paths(&mesh, &vertex) >= springs.count);
+        springs_free(&springs);
+        mesh_free(&mesh);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cube_has_no_flexion),
@@ -160,6 +219,8 @@ int main(void) {
         cmocka_unit_test(triangles_have_no_shear),
         cmocka_unit_test(each_pair_is_there_once),
         cmocka_unit_test(unwanted_kinds_do_not_exist),
+        cmocka_unit_test(a_vertex_may_have_any_number_of_edges),
+        cmocka_unit_test(paths_bound_the_flexion_springs),
         cmocka_unit_test(torsion_paths_are_those_of_flexion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
