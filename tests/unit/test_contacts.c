@@ -42,7 +42,7 @@ static void a_hit_keeps_momenta(void** state) {
     const Throw t = {.speed = 10,
                      .radius = 0.2,
                      .rate = 500,
-                     .way = 2,
+                     .aim = 2,
                      .side = 8,
                      .mass = 1,
                      .restitution = 0.5,
@@ -68,8 +68,8 @@ static void check_throw(const Throw* t) {
     for (long n = throw_steps(t); n > 0; n--)
         world_step(&world);
     if (world.contacts.pass_throughs != 0 || !is_finite(&world) || world.blowup.halted)
-        fail_msg("speed %g radius %g rate %g way %d side %d mass %g: %ld through, %s", t->speed,
-                 t->radius, t->rate, t->way, t->side, t->mass, world.contacts.pass_throughs,
+        fail_msg("speed %g radius %g rate %g aim %d side %d mass %g: %ld through, %s", t->speed,
+                 t->radius, t->rate, t->aim, t->side, t->mass, world.contacts.pass_throughs,
                  world.blowup.text);
     world_close(&world);
 }
@@ -78,16 +78,16 @@ static void check_throw(const Throw* t) {
 static void nothing_passes_through(void** state) {
     (void)state;
     const double speeds[] = {1, 20, 200}, radii[] = {0.02, 0.2, 0.5}, masses[] = {0.1, 1, 1000};
-    int way = 0;
+    int aim = 0;
     for (int s = 0; s < 3; s++)
         for (int r = 0; r < 3; r++)
             for (int m = 0; m < 3; m++)
                 for (int rate = 60; rate <= 240; rate += 180) {
-                    way = (way + 1) % THROW_WAYS;
+                    aim = (aim + 1) % THROW_AIMS;
                     check_throw(&(Throw){.speed = speeds[s],
                                          .radius = radii[r],
                                          .rate = rate,
-                                         .way = way,
+                                         .aim = aim,
                                          .side = 8,
                                          .mass = masses[m],
                                          .restitution = 0.5,

@@ -123,7 +123,7 @@ static bool endless_step(const Study* study, int level, double value[], Fault* f
     double step = fmin(study->world.step, 1 / ADVISE_FPS), coarse[ADVISE_OUTPUTS];
     if (!run_one(study, method, "double", level, step, coarse, &report, fault))
         return false;
-    step /= 2 * exp2(ceil(log2(report.parts)));
+    step /= 2 * exp2(ceil(log2(report.substeps)));
     report_free(&report);
     if (!run_one(study, method, "double", level, step, coarse, &report, fault))
         return false;
@@ -208,7 +208,7 @@ static bool go_on(Study* study, Line* line, Fault* fault) {
     if (!run_one(study, line->method->name, line->precision, line->level, step, value, &report,
                  fault))
         return false;
-    study->part[study->advice->count] = step / report.parts;
+    study->part[study->advice->count] = step / report.substeps;
     AdvicePoint* point = &study->advice->point[study->advice->count++];
     *point = (AdvicePoint){.level = line->level,
                            .step = step,
@@ -224,9 +224,9 @@ static bool go_on(Study* study, Line* line, Fault* fault) {
         line->best = point->error;
         line->closest = line->halving;
     }
-    line->halving += report.parts > 1 ? (int)ceil(log2(report.parts)) : 1;
+    line->halving += report.substeps > 1 ? (int)ceil(log2(report.substeps)) : 1;
     line->done = line->halving > HALVINGS || idle ||
-                 (report.ended && report.ms * (report.parts > 1 ? 1 : 2) > cost_most);
+                 (report.ended && report.ms * (report.substeps > 1 ? 1 : 2) > cost_most);
     report_free(&report);
     return true;
 }

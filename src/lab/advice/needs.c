@@ -85,7 +85,7 @@ static void take(Needs* needs, Need* need) {
     for (unsigned k = 0; k < needs->outputs; k++)
         need->value[k] = report_output(&report, k);
     need->ended = report.ended;
-    need->parts = report.parts;
+    need->parts = report.substeps;
     need->ms = fmin(need->ms, report.ms);
     report_free(&report);
 }

@@ -1,4 +1,4 @@
-/// What is measured rather than tested: a row for each `balloon bench CASE` (cli/bench_table.h).
+/// Benches, measurements without a verdict: a row for each `balloon bench CASE` (cli/bench_table.h).
 #ifndef BALLOON_LAB_BENCH_BENCH_H
 #define BALLOON_LAB_BENCH_BENCH_H
 
@@ -6,16 +6,16 @@
 
 typedef struct BenchOptions {
     bool quick;       ///< a thinned measurement
-    const char* only; ///< what a row's name must have in it, or NULL
-    Figures* figures; ///< where a timed case's figures go
+    const char* only; ///< measure rows with this word in their names; NULL: all
+    Figures* figures; ///< receives the figures of a timed case
 } BenchOptions;
 
 typedef struct BenchCase {
     const char* name;
     const char* about;
-    bool timed; ///< of what `balloon bench` without a name measures, in one table
+    bool timed; ///< part of the table of `balloon bench` without a name
 
-    /// Measure and print. False where it could not be done, or where what must not happen did.
+    /// Measure and print. Returns false with a fault if that failed or a requirement was violated.
     bool (*run)(const BenchOptions* options, Fault* fault);
 } BenchCase;
 

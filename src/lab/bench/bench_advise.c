@@ -1,6 +1,6 @@
-/// Whether advice keeps its word: scenes with a closed form, their parameters a tenth off those
-/// that were measured, are asked for errors and for costs; what was promised is held against the
-/// truth.
+/// Accuracy of `balloon advise`: scenes with a closed form, with parameters 10 % above or below those
+/// that were measured, are requested with an error or a cost; the promised error and cost are compared
+/// with the true error and the measured cost.
 #include <math.h>
 #include <string.h>
 
@@ -12,15 +12,15 @@
 
 enum { SETS = 2, RUNS = 3 };
 
-/// What a run may cost over what it was to cost. [1]
+/// Allowed ratio of measured to promised cost. [1]
 static const double cost_margin = 1.5;
-/// Asks that must be kept. [1]
-static const double kept_least = 0.95;
+/// Minimum share of requests whose promise must be kept. [1]
+static const double kept_min = 0.95;
 
 static const double asked_error[] = {0.05, 0.01, 0.002}; ///< [1]
 static const double asked_ms[] = {1, 4, 16};             ///< [ms]
 
-/// A scene, a tenth off one way or the other, and what is then true of its first output.
+/// A scene with parameters scaled by a factor, and the true value of its first output.
 typedef struct AskedScene {
     const char* scene;
     const char* key; ///< set to `value` times the factor
@@ -93,7 +93,7 @@ static int sets_for(const AskedScene* asked, double factor, Overrides* sets, Sce
     return sets->count;
 }
 
-/// Run the scene as advised: its first output, and the least cost of a frame.
+/// Run the scene as advised: its first output, and the minimum cost of a frame over RUNS.
 static bool run_advised(const char* scene, const World* world, const Overrides* sets, double* value,
                         double* ms, Fault* fault) {
     char program[512];
@@ -130,7 +130,7 @@ static bool ask(const AskedScene* asked, double factor, const World* world, cons
     const AdvicePoint* point = advise_pick(advice, error, ms, &best);
     tally->asked++;
     printf("%s,%g,%g,", asked->scene, error, ms);
-    if (!point) { // it says so, and promises nothing
+    if (!point) { // refused: nothing was promised
         tally->kept++;
         tally->refused++;
         puts("-,,,,,,,");
@@ -190,13 +190,13 @@ static bool measure(const BenchOptions* options, Fault* fault) {
     }
     printf("%d of %d asks kept, %d of them by saying that it cannot be had\n", tally.kept,
            tally.asked, tally.refused);
-    return tally.kept >= kept_least * tally.asked ||
+    return tally.kept >= kept_min * tally.asked ||
            fault_set(fault, "advise", "%d of %d asks were kept, which is less than %g %%",
-                     tally.kept, tally.asked, 100 * kept_least);
+                     tally.kept, tally.asked, 100 * kept_min);
 }
 
 const BenchCase bench_advise = {
     .name = "advise",
-    .about = "whether advice keeps its word on closed forms",
+    .about = "promised against true errors and costs of advice, on closed forms",
     .run = measure,
 };

@@ -1,8 +1,8 @@
-/// What contacts cost: a balloon of some 20,000 triangles is blown up between heavy balls that stay
-/// where they are, so that each presses on the skin for as long as anyone likes. The balls weigh a
-/// thousand times the balloon; to the solver any ball that outweighs the patch it touches is as
-/// hard. Beside it, in the same run, Bullet's own soft body between the same balls. What contacts
-/// cost without a ball is the floor's share.
+/// The cost of contacts: a balloon of some 20,000 triangles is inflated between heavy balls, which
+/// hardly move, so that each presses on the skin permanently. A ball weighs a thousand balloons; for
+/// the solver any ball much heavier than the patch it touches is equally hard. In the same run,
+/// Bullet's own soft body is measured between the same balls. The case without a ball measures the
+/// cost of the floor.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,12 +14,11 @@
 #include "lab/bench/bench.h"
 #include "lab/peer/peer_world.h"
 
-/// How far the balls are from the skin at rest, in radii of the balloon.
 static const struct {
     const char* name;
     int spheres;
-    double away;
-    double wanted; ///< at most, contacts alone [ms a step]
+    double away;  ///< distance of the balls from the skin at rest [radii of the balloon]
+    double limit; ///< wanted maximum cost of contacts alone [ms a step]
 } case_table[] = {
     {"no ball", 0, 3, 0.05},   {"4 far away", 4, 3, 0.05}, {"16 far away", 16, 3, 0.05},
     {"4 touching", 4, 0, 0.5}, {"16 touching", 16, 0, 2},
@@ -30,9 +29,9 @@ enum { CASES = sizeof case_table / sizeof *case_table, SETS = 7 };
 static const double step_length = 1e-3;   ///< [s]
 static const double ball_radius = 0.2;    ///< [m], the balloon's is 1
 static const double balls_to_skin = 1000; ///< mass of a ball [balloon masses]
-static const int peer_rounds = 1;         ///< over the links: Bullet's own, and the cheapest
+static const int peer_rounds = 1;         ///< Bullet's default and the cheapest
 
-/// Of a full and of a quick run.
+/// A full and a quick run.
 static const struct {
     int side; ///< quads a side of the cube-sphere: 41 give 20,172 triangles
     int settle, timed, peer_settle, peer_timed; ///< steps
@@ -42,20 +41,20 @@ static const struct {
 typedef struct Cost {
     double step_min, step_median;
     double contacts_min, contacts_median; ///< time of contacts alone; not of the peer
-    int touching; ///< balls that touched, in the timed step where fewest did
-    int contacts; ///< that pushed, in the last step; of the peer: points on balls
+    int touching;                         ///< minimum number of touching balls over the timed steps
+    int contacts; ///< contacts with an impulse in the last step; peer: points that touch balls
 } Cost;
 
 static double now(void) {
     return 1e3 * clock_seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
-/// Spread evenly over a sphere: one after the other along a spiral from pole to pole, each turned
-/// by the golden angle.
+/// Point k of a Fibonacci lattice on the unit sphere: heights at equal distances, longitudes at
+/// multiples of the golden angle.
 static double4 direction(int k, int count) {
-    const double height = 1 - (2 * k + 1.0) / count, turn = 2.399963229728653 * k;
+    const double height = 1 - (2 * k + 1.0) / count, angle = 2.399963229728653 * k;
     const double width = sqrt(1 - height * height);
-    return (double4){width * cos(turn), height, width * sin(turn), 0};
+    return (double4){width * cos(angle), height, width * sin(angle), 0};
 }
 
 static bool open_case(int c, int side, World* world, Fault* fault) {
@@ -84,7 +83,8 @@ static bool open_case(int c, int side, World* world, Fault* fault) {
     return true;
 }
 
-/// world_step's parts, with the time of contacts apart from the rest [ms].
+/// The parts of world_step for one balloon, so that the time of contacts can be measured separately;
+/// this is why it calls the method's row and not system_kick. Returns the time of contacts [ms].
 static double timed_step(World* world) {
     Body* body = &world->balloon[0].body;
     double contacts = 0;
@@ -108,8 +108,8 @@ static double timed_step(World* world) {
 }
 
 static int count_touching(const Contacts* contacts, int* pushing) {
-    int touching = 0;
-    *pushing = 0;
+    int touching = 0; // balls
+    *pushing = 0;     // contacts with an impulse
     for (int s = 0; s < contacts->sphere_count; s++) {
         int pushed = 0;
         for (int k = 0; k < contacts->contact_count; k++)
@@ -184,7 +184,7 @@ static bool measure(const BenchOptions* options, Fault* fault) {
     printf("%d triangles, step %g s; CPU time in ms a step\n", 12 * side * side, step_length);
     printf("%-12s | %8s %8s %8s %17s %6s | %30s\n", "", "", "", "all of", "contacts alone", "", "");
     printf("%-12s | %8s %8s %8s %8s %8s %6s | %8s %8s %8s %8s\n", "balls", "touching", "contacts",
-           "a step", "least", "median", "wanted", "Bullet's", "contacts", "a step", "beyond");
+           "a step", "minimum", "median", "wanted", "Bullet's", "contacts", "a step", "excess");
     Cost all_ours[CASES], all_peer[CASES];
     for (int c = 0; c < CASES; c++) {
         Cost ours, peer;
@@ -199,7 +199,7 @@ static bool measure(const BenchOptions* options, Fault* fault) {
         all_peer[c] = peer;
         printf("%-12s | %8d %8d %8.3f %8.4f %8.4f %6g | %8d %8d %8.3f %8.3f\n", case_table[c].name,
                ours.touching, ours.contacts, ours.step_median, ours.contacts_min,
-               ours.contacts_median, case_table[c].wanted, peer.touching, peer.contacts,
+               ours.contacts_median, case_table[c].limit, peer.touching, peer.contacts,
                peer.step_median, peer.step_median - all_peer[0].step_median);
         fflush(stdout);
     }

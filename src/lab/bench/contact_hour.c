@@ -1,6 +1,5 @@
-/// An hour of random throws: what a user may do, for longer than one would. All must stay finite
-/// and nothing may pass through, by the world's own count and by the winding of the skin around
-/// each ball.
+/// An hour of random throws, as a user might do. The state must stay finite and no ball may pass
+/// through the skin, by the world's count and by the winding number of the skin around each ball.
 #include <stdio.h>
 #include <time.h>
 

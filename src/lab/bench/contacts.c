@@ -1,6 +1,6 @@
-/// The matrix of throws: a ball of any speed, size and mass at a free balloon of radius 1, from any
-/// side, on coarse and fine meshes, at coarse and fine steps. Nothing may pass through. Beside it
-/// some of the same throws at Bullet's own soft body, judged by the same sweep.
+/// A matrix of throws at a free balloon of radius 1: all combinations of speed, radius, mass and aim,
+/// on coarse and fine meshes, with long and short steps. No ball may pass through. Some of the
+/// throws are repeated with Bullet's own soft body and judged by the same CCD test.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,13 +24,13 @@ enum {
     RATES = sizeof rate_table / sizeof *rate_table,
     MASSES = sizeof mass_table / sizeof *mass_table,
     SIDES = sizeof side_table / sizeof *side_table,
-    THROWS = SPEEDS * RADII * RATES * MASSES * THROW_WAYS,
-    QUICK = 37,      ///< one throw in so many; shares no factor with the tables' lengths
-    PEER = 11,       ///< the same for Bullet's
-    PEER_ROUNDS = 10 ///< over the links: ten times Bullet's own, in its favour
+    THROWS = SPEEDS * RADII * RATES * MASSES * THROW_AIMS,
+    QUICK = 37,      ///< a quick run makes every 37th throw; coprime to the tables' lengths
+    PEER = 11,       ///< every 11th throw is repeated with Bullet's soft body
+    PEER_ROUNDS = 10 ///< rounds over its links: ten times Bullet's default, in its favor
 };
 
-/// What a mesh's throws added up to.
+/// Sums over the throws at one mesh.
 typedef struct Sum {
     int throws;
     int bad; ///< states that blew up
@@ -39,8 +39,8 @@ typedef struct Sum {
     int peer_throws, peer_through;
 } Sum;
 
-/// Whether the path of the ball's center goes through a triangle in a step from `before` to
-/// `after`, which hold the points and behind them the ball.
+/// Whether the path of the ball's center crosses a triangle in a step from `before` to `after`, each
+/// the skin's points followed by the ball's center.
 static bool passes(const Mesh* mesh, const double4* before, const double4* after) {
     const int ball = mesh->point_count;
     for (int t = 0; t < mesh->triangle_count; t++) {
@@ -62,7 +62,7 @@ static void read_all(const Peer* peer, int points, double4* x) {
     peer_read_sphere(peer, 0, &x[points], &v);
 }
 
-/// The throw that a world begins with, at Bullet's soft body.
+/// Whether Bullet's soft body lets the world's ball pass through.
 static bool peer_lets_through(const World* world, long steps) {
     const Mesh* mesh = &world->balloon[0].mesh;
     const int points = mesh->point_count;
@@ -101,13 +101,13 @@ static bool throw(const Throw* t, bool with_peer, Sum* sum, Fault* fault) {
     sum->bad += world.blowup.halted;
     sum->pass_throughs += world.contacts.pass_throughs;
     if (world.blowup.halted || world.contacts.pass_throughs)
-        printf("speed %g radius %g rate %g mass %g way %d: %ld through; %s\n", t->speed, t->radius,
-               t->rate, t->mass, t->way, world.contacts.pass_throughs, world.blowup.text);
+        printf("speed %g radius %g rate %g mass %g aim %d: %ld through; %s\n", t->speed, t->radius,
+               t->rate, t->mass, t->aim, world.contacts.pass_throughs, world.blowup.text);
     world_close(&world);
     return true;
 }
 
-/// The throws on one mesh: all of them, or one in each row of the matrix in turn.
+/// All throws on one mesh, or every QUICK-th.
 static bool throw_all(int side, bool quick, Sum* sum, Fault* fault) {
     for (int n = 0; n < THROWS; n++) {
         if (quick && n % QUICK != 0)
@@ -116,7 +116,7 @@ static bool throw_all(int side, bool quick, Sum* sum, Fault* fault) {
                          .radius = radius_table[n / SPEEDS % RADII],
                          .rate = rate_table[n / SPEEDS / RADII % RATES],
                          .mass = mass_table[n / SPEEDS / RADII / RATES % MASSES],
-                         .way = n / SPEEDS / RADII / RATES / MASSES,
+                         .aim = n / SPEEDS / RADII / RATES / MASSES,
                          .restitution = 0.5,
                          .friction = 0.3,
                          .side = side};

@@ -7,11 +7,11 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/array.h"
 #include "base/median.h"
-#include "base/memory.h"
 #include "base/real.h"
 
-/// The processor's name, of letters, digits and dashes.
+/// The processor's name with all other characters than letters and digits replaced by dashes.
 static void machine_file_name(char name[128]) {
     char line[256];
     snprintf(name, 128, "machine");
@@ -37,27 +37,17 @@ static void kept_path(char path[512], const char* bench, const char* machine) {
                  REAL_NAME, machine);
 }
 
-static void push(Figure** figure, int* count, int* room, const Figure* one) {
-    if (*count == *room) {
-        *room = *room ? 2 * *room : 64;
-        Figure* more = new_array(Figure, *room);
-        if (*count)
-            memcpy(more, *figure, (size_t)*count * sizeof *more);
-        free(*figure);
-        *figure = more;
-    }
-    (*figure)[(*count)++] = *one;
-}
-
 static void read_kept(Figures* figures) {
     char line[512];
-    int room = 0;
+    int capacity = 0;
     FILE* in = fopen(figures->kept_path, "r");
     while (in && fgets(line, sizeof line, in)) {
         Figure f = {.particles = 0};
         if (sscanf(line, "%31[^,],%d,%31[^,],%15[^,],%lf,%lf,%lf", f.name, &f.particles, f.metric,
-                   f.unit, &f.minimum, &f.median, &f.limit_share) == 7)
-            push(&figures->kept, &figures->kept_count, &room, &f);
+                   f.unit, &f.minimum, &f.median, &f.limit_share) == 7) {
+            array_reserve(figures->kept, figures->kept_count, capacity);
+            figures->kept[figures->kept_count++] = f;
+        }
     }
     if (in)
         fclose(in);
@@ -93,7 +83,8 @@ void figures_add(Figures* figures, const char* name, int particles, const char* 
     snprintf(one.name, sizeof one.name, "%s", name);
     snprintf(one.metric, sizeof one.metric, "%s", metric);
     snprintf(one.unit, sizeof one.unit, "%s", unit);
-    push(&figures->figure, &figures->count, &figures->room, &one);
+    array_reserve(figures->figure, figures->count, figures->capacity);
+    figures->figure[figures->count++] = one;
     const double kept = kept_minimum(figures, &one);
     printf("%-18s %9d  %-16s %12.4g %12.4g %-10s", one.name, one.particles, one.metric, one.minimum,
            one.median, one.unit);
@@ -127,7 +118,7 @@ static bool write_csv(const Figures* figures, const char* path, Fault* fault) {
     return (fclose(out) == 0 && !bad) || fault_set(fault, path, "could not be written to its end");
 }
 
-/// The folders on the way to a file.
+/// Create the folders of a file's path.
 static void make_folders(const char* path) {
     char part[512];
     for (const char* slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {

@@ -1,18 +1,18 @@
-/// What this machine can do at most, measured by loops that do nothing else.
+/// The machine's memory bandwidth and arithmetic throughput, measured by loops that do nothing else.
 #ifndef BALLOON_LAB_BENCH_MACHINE_LIMIT_H
 #define BALLOON_LAB_BENCH_MACHINE_LIMIT_H
 
 #include "base/vec.h"
 
 typedef struct Limits {
-    /// a[i] = b[i] + s c[i] over `count` numbers, which is 3 of them moved each.
+    /// a[i] = b[i] + s c[i] for `count` numbers: moves 3 count numbers.
     void (*triad)(real* a, const real* b, const real* c, real s, int count);
 
-    /// Multiplications and additions that do not wait for each other. Returns their number, in all.
+    /// Independent multiplications and additions; returns their total number.
     double (*multiply_add)(int rounds, real* out);
 } Limits;
 
-/// For this machine (base/cpu.h).
+/// The kernels for this machine (base/cpu.h).
 const Limits* limits(void);
 
 extern const Limits limits_baseline;

@@ -1,4 +1,4 @@
-/// Compiled for each kind of machine: base/cpu.h.
+/// Compiled for each instruction set: base/cpu.h.
 #include "base/lanes.h"
 #include "lab/bench/machine_limit.h"
 
@@ -8,7 +8,7 @@ static void triad(real* restrict a, const real* restrict b, const real* restrict
         lanes_store(&a[i], lanes_load(&b[i]) + s * lanes_load(&c[i]));
 }
 
-enum { CHAINS = 8 }; ///< as many as hide the time that a sum takes
+enum { CHAINS = 8 }; ///< independent sums: enough to hide the latency of an addition
 
 static double multiply_add(int rounds, real* out) {
     lanes a0 = {1}, a1 = {2}, a2 = {3}, a3 = {4}, a4 = {5}, a5 = {6}, a6 = {7}, a7 = {8};

@@ -1,7 +1,7 @@
-/// What a step costs as skins grow: springs blown up by area, and rubber with gas in it, explicit,
-/// one thread, from 1,000 to a million particles; a second of rubber by implicit steps; beside
-/// Bullet's own soft body of the same mesh, and beside what this machine's memory and arithmetic
-/// can do at most, measured in the same run.
+/// Time of a step against the size of the skin: springs under area inflation and rubber with gas,
+/// explicit, one thread, from 1,000 to a million particles; a second of rubber by implicit steps;
+/// the same meshes as Bullet's own soft body; and the machine's memory bandwidth and arithmetic
+/// throughput, measured in the same run.
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,21 +21,21 @@
 #include "world/probe.h"
 
 enum { ROUNDS = 41, ROUNDS_QUICK = 9, SETS = 4, PEER_ROUNDS = 1 };
-enum { STREAM = 1 << 24 }; ///< numbers of each array: far more than a cache holds
+enum { STREAM = 1 << 24 }; ///< length of each array: far more than a cache holds
 
 /// Sides of cube-spheres; 6 side^2 + 2 particles.
 static const int side_table[] = {13, 43, 129, 400};
 enum { SIDES = sizeof side_table / sizeof *side_table, SIDES_QUICK = 2 };
 
-static const int threads_side = 129;      ///< where threads are compared: 100,000 particles
-static const double round_seconds = 0.01; ///< [s] of steps timed together, or one step
-static const int peer_most = 100000; ///< particles of Bullet's, whose set-up takes minutes more
+static const int threads_side = 129;      ///< side at which threads are compared: 100,000 particles
+static const double round_seconds = 0.01; ///< steps timed together take so long, or one step [s]
+static const int peer_max = 100000;       ///< particles; Bullet's setup of more takes minutes
 
 typedef struct SpeedCase {
     const char* name;
     const char* scene;
     const char* set;
-    double step; ///< times quads a side [s]: well below the stable one
+    double step; ///< step times quads a side [s]: well below the limit
 } SpeedCase;
 
 static const SpeedCase case_table[] = {
@@ -44,7 +44,7 @@ static const SpeedCase case_table[] = {
 };
 enum { CASES = sizeof case_table / sizeof *case_table };
 
-/// Shortest and median of some times.
+/// Minimum and median of some times.
 typedef struct Times {
     double minimum, median;
 } Times;
@@ -58,7 +58,7 @@ static Times times_of(double* seconds, int count) {
 static Times time_steps(void (*step)(void* self), void* self, int rounds) {
     double second[ROUNDS];
     const double before = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
-    step(self); // warms up, and says how many make a round
+    step(self); // warms up, and gives the number of steps of a round
     const double one = clock_seconds(CLOCK_THREAD_CPUTIME_ID) - before;
     const int steps = one < round_seconds ? (int)(round_seconds / one) : 1;
     for (int r = 0; r < rounds; r++) {
@@ -85,7 +85,7 @@ static Times scaled(Times times, double by) {
     return (Times){times.minimum * by, times.median * by};
 }
 
-/// Rates: the shortest time is the highest.
+/// Rates; the minimum time gives the highest rate.
 static Times rate(Times times, double amount) {
     return (Times){amount / times.minimum, amount / times.median};
 }
@@ -124,15 +124,15 @@ static double bytes_touched(const Body* body) {
     return state + slots + (double)body->membrane.eights * LANES * element;
 }
 
-/// Multiplications, additions, divisions and square roots that the equations ask for: of a spring's
-/// pull (each end has its own), of a face's corner, of an element, of a particle.
+/// Multiplications, additions, divisions and square roots in the equations: of a spring at each of
+/// its ends, of a face's corner, of an element, of a particle.
 static double work(const Body* body) {
-    const double pull = 18, corner = 33, element = 101, particle = 25;
-    return 2 * pull * body->springs.count + 4 * corner * body->mesh->face_count +
+    const double spring_end = 18, corner = 33, element = 101, particle = 25;
+    return 2 * spring_end * body->springs.count + 4 * corner * body->mesh->face_count +
            element * body->membrane.count + particle * body->count;
 }
 
-/// What this process has allocated [bytes].
+/// Memory that this process has allocated [bytes].
 static double memory_now(void) {
     const struct mallinfo2 info = mallinfo2();
     return (double)info.uordblks + (double)info.hblkhd;
@@ -162,8 +162,7 @@ static bool open_case(const SpeedCase* c, int side, World* world, Fault* fault) 
     return scene_load(c->scene, set, SETS, &def, fault) && world_open(world, &def, fault);
 }
 
-/// A step of two threads by wall time, one by one: what else the machine does falls out of the
-/// shortest.
+/// Wall time of single steps with two threads; the minimum excludes interruptions by other processes.
 static void measure_threads(Figures* figures, const char* name, World* world) {
     double second[ROUNDS];
     crew_set(2);
@@ -203,7 +202,7 @@ static bool measure_case(Figures* figures, const SpeedCase* c, int side, const M
     add(figures, c->name, n, "memory", "B/particle", (Times){memory / n, memory / n}, 0);
     if (side == threads_side)
         measure_threads(figures, c->name, &world);
-    if (n <= peer_most) {
+    if (n <= peer_max) {
         PeerStep peer = {peer_of_world(&world, PEER_ROUNDS), world.step};
         const Times peers = time_steps(step_peer, &peer, rounds < ROUNDS ? 3 : 9);
         add(figures, c->name, n, "Bullet's step", "us", scaled(peers, 1e6), 0);
@@ -213,8 +212,8 @@ static bool measure_case(Figures* figures, const SpeedCase* c, int side, const M
     return true;
 }
 
-/// A whole second of the rubber balloon of 11,096 particles, blown up to twice its gas by implicit
-/// steps, and how far its pressure is then from the closed form's.
+/// One second of the rubber balloon of 11,096 particles, filled to twice its gas by implicit steps,
+/// and the relative error of its final pressure against the closed form.
 static bool measure_second(Figures* figures, Fault* fault) {
     enum { RUNS = 5, FRAMES = 60 };
     static const SceneSet set[SETS] = {{"balloons.0.model=cube-sphere:43"},
@@ -243,7 +242,7 @@ static bool measure_second(Figures* figures, Fault* fault) {
     return true;
 }
 
-/// From a file of 100,000 quads to the first step, wall time.
+/// Wall time from a file of 100,000 quads to the end of the first step.
 static bool measure_load(Figures* figures, bool quick, Fault* fault) {
     enum { LOADS = 5 };
     const int side = quick ? side_table[1] : side_table[2];

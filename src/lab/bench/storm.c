@@ -54,10 +54,10 @@ static bool throw_one(Storm* storm, Fault* fault) {
     return true;
 }
 
-static bool press(World* world, const char* key, const char* way, Fault* fault) {
+static bool press(World* world, const char* key, const char* state, Fault* fault) {
     Event event = {.step = world->clock, .kind = EVENT_KEY};
     snprintf(event.name, sizeof event.name, "%s", key);
-    snprintf(event.value, sizeof event.value, "%s", way);
+    snprintf(event.value, sizeof event.value, "%s", state);
     return world_event(world, &event, fault);
 }
 

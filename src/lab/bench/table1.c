@@ -1,11 +1,11 @@
-/// The thin-shell paper's Table 1, made again with models of our own of the same kinds and sizes:
-/// skins of 0.3 mm, E = 1 MPa, nu = 0.45, steps of 1/60 s, the gas from one to two times its start
-/// within 300 frames, p0 V0/V without the atmosphere. Once with what the paper spends on a step,
-/// three Newton iterations with conjugate gradients to 1e-3, once with the step's equation solved
-/// to 1e-6. Source: the thin-shell balloon paper, Table 1, on one core of an i7 of 3.4 GHz.
+/// The thin-shell paper's Table 1, reproduced with other models of similar shapes and sizes: skins of
+/// 0.3 mm, E = 1 MPa, nu = 0.45, steps of 1/60 s, the gas rises from one to two times its initial
+/// amount within 300 frames, p0 V0/V without the atmosphere. Once with the paper's effort, three
+/// Newton iterations with conjugate gradients to 1e-3, once with the step's equation solved to 1e-6.
+/// Source: the thin-shell balloon paper, Table 1, on one core of an i7 of 3.4 GHz.
 ///
-/// p0 all at once on a skin at rest is a blow that buckles a skin with folds for good, so the gas
-/// begins at nothing and rises to its start in as many frames, which are made but not counted.
+/// Applying p0 suddenly to a skin at rest buckles a skin with folds permanently. So the gas first
+/// rises from zero to its initial amount in as many frames, which are not counted.
 #include <stdio.h>
 #include <string.h>
 
@@ -39,20 +39,20 @@ enum {
     FRAMES_QUICK = 60
 };
 
-/// The paper's setting, whatever the scene that it begins with may say.
+/// The paper's setting: overrides of the scene.
 static const char* const setting[] = {
     "step=0.016666666666666666", "gravity=0", "method=newton", "balloons.0.size=0.2",
     ("balloons.0.skin={membrane: {material: stvk-3d, young: 1e6, poisson: 0.45, density: 1000, "
      "thickness: 3e-4, volume: global}}")};
 enum { SETTINGS = sizeof setting / sizeof *setting, SETS = SETTINGS + 3 };
 
-/// What the counted frames of one model added up to.
+/// Results over the counted frames of one model.
 typedef struct Sum {
-    int frames;        ///< 0 where one went bad
-    double ms[FRAMES]; ///< of each
+    int frames;        ///< 0 after a blowup
+    double ms[FRAMES]; ///< time of each [ms]
     long iterations, products;
-    double volume; ///< the summed ratio that was farthest from 1
-    double worst;  ///< and the element's
+    double volume; ///< the total rubber's volume ratio farthest from 1
+    double worst;  ///< an element's volume ratio farthest from 1
 } Sum;
 
 static double farther(double a, double b) {
@@ -76,7 +76,7 @@ static void play(World* world, int frames, Sum* sum) {
     }
 }
 
-/// What is printed of a row once all are done.
+/// Results of one model, for the final table.
 typedef struct Row {
     int particles;
     Sum sum;
@@ -100,7 +100,7 @@ static bool run_row(int row, int effort, int frames, Row* done, Fault* fault) {
     Sum* sum = &done->sum;
     done->particles = body->count;
     play(&world, frames, sum);
-    if (world.blowup.halted) { // no time of such a run is worth anything
+    if (world.blowup.halted) { // the times are meaningless
         printf("%-18s %8d %8d %s\n", row_table[row].model, body->count, body->membrane.count,
                world.blowup.text);
         sum->frames = 0;

@@ -1,6 +1,6 @@
-/// Figure 7 of the thin-shell paper, measured: a teddy with skins of 0.3, 0.2 and 0.1 mm and the
-/// same gas, p0 V0/V without the atmosphere. How high the ears stand over the crown of the head
-/// tells how far they have merged into it; sizes are over the first ones.
+/// Figure 7 of the thin-shell paper, measured: a teddy with skins of 0.3, 0.2 and 0.1 mm and the same
+/// gas, p0 V0/V without the atmosphere. The height of the ears above the crown of the head measures
+/// how far they have merged into it; volume and height are relative to the initial ones.
 #include <stdio.h>
 
 #include "lab/bench/bench.h"
@@ -9,10 +9,10 @@
 
 enum { SKINS = 3, FRAMES = 300 };
 
-static const double ear_aside = 0.15;   ///< an ear is farther from the middle [of the width]
-static const double crown_aside = 0.02; ///< the crown is nearer
+static const double ear_aside = 0.15;   ///< an ear is farther from the middle plane [of the width]
+static const double crown_aside = 0.02; ///< the crown is nearer to it [of the width]
 
-/// The highest particle of the first shape that is beyond, or within, a part of its width.
+/// The highest particle of the rest shape beyond, or within, a distance from its middle plane.
 static int highest(const Mesh* mesh, double aside, bool beyond) {
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < mesh->point_count; i++) {
@@ -28,7 +28,7 @@ static int highest(const Mesh* mesh, double aside, bool beyond) {
     return best;
 }
 
-/// What is measured of a balloon. [m]
+/// Measurements of a balloon: volume over the initial one [1], lengths [m].
 typedef struct Look {
     double volume, height, ears;
 } Look;

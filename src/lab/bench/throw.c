@@ -2,18 +2,18 @@
 
 static const struct {
     double from[3], off[3];
-} way_table[THROW_WAYS] = {
-    {{1, 0, 0}, {0, 0, 0}},                 // at the middle of a patch
-    {{0.577, 0.577, 0.577}, {0, 0, 0}},     // at a corner of valence 3
-    {{-0.36, 0.48, 0.8}, {0.2, -0.1, 0.3}}, // somewhere
-    {{0, 1, 0}, {0.85, 0, 0}},              // it grazes
+} aim_table[THROW_AIMS] = {
+    {{1, 0, 0}, {0, 0, 0}},                 // the center of a patch
+    {{0.577, 0.577, 0.577}, {0, 0, 0}},     // a corner of valence 3
+    {{-0.36, 0.48, 0.8}, {0.2, -0.1, 0.3}}, // a general direction, off center
+    {{0, 1, 0}, {0.85, 0, 0}},              // grazing
 };
 
 enum { SETS = 7 };
 
 bool throw_open(const Throw* t, World* world, Fault* fault) {
-    const double* from = way_table[t->way].from;
-    const double* off = way_table[t->way].off;
+    const double* from = aim_table[t->aim].from;
+    const double* off = aim_table[t->aim].off;
     const double away = 1.6 + t->radius, balloon = 1e-3 * (6 * t->side * t->side + 2);
     double x[3], v[3];
     for (int k = 0; k < 3; k++) {

@@ -4,7 +4,7 @@
 
 #include "world/world.h"
 
-enum { THROW_WAYS = 4 }; ///< middle of a patch, a corner of valence 3, somewhere, it grazes
+enum { THROW_AIMS = 4 }; ///< center of a patch, corner of valence 3, off center, grazing
 
 typedef struct Throw {
     double speed;       ///< [m/s]
@@ -14,13 +14,13 @@ typedef struct Throw {
     double restitution; ///< [1]
     double friction;    ///< [1]
     int side;           ///< quads a side of the cube-sphere
-    int way;            ///< 0 … THROW_WAYS - 1: from where, and how far off the middle
+    int aim;            ///< 0 … THROW_AIMS - 1: direction and offset from the balloon's center
 } Throw;
 
-/// The world in which the ball is on its way.
+/// Open a world with the balloon and the flying ball.
 bool throw_open(const Throw* t, World* world, Fault* fault);
 
-/// Steps until the ball could have gone through and past the other side, but no more than a second.
+/// Number of steps in which the ball could pass the whole balloon, at most a second.
 long throw_steps(const Throw* t);
 
 #endif

@@ -15,7 +15,7 @@ static double error_of(double measured, double truth) {
 
 static void take(ChartPoint* point, const Report* report) {
     point->stable = report->ended;
-    point->parts = report->parts;
+    point->parts = report->substeps;
     point->measured =
         report->ended ? point->measure->measured(report, point->measure->at) : (double)NAN;
     point->error = error_of(point->measured, point->truth);

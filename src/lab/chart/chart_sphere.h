@@ -47,7 +47,7 @@ static inline double fitted_pressure(void) {
 
 #define FITTED_PEER .pressure = fitted_pressure, .stretch = fitted_stretch
 
-/// Bullet's gas knows no air outside: kPR/V. In its favour it holds what is right at the right size
+/// Bullet's gas knows no air outside: kPR/V. In its favor it holds what is right at the right size
 /// of a balloon with twice its gas, in units of V0 [Pa].
 static inline double own_gas(void) {
     const TruthBalloon balloon = truth_balloon_default();

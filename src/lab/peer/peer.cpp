@@ -20,8 +20,8 @@ static_assert(sizeof(btScalar) == sizeof(real), "Bullet's precision is the preci
 
 namespace {
 
-// Bullet keeps a ball's distance field in voxels, 0.25 m unless told: so many to the radius of the
-// smallest ball leave an error of less than a hundredth of it.
+// Bullet stores a ball's distance field in voxels, by default of 0.25 m: so many per radius of the
+// smallest ball give an error below a hundredth of that radius.
 constexpr double VOXELS = 4;
 
 struct Ball {
@@ -63,7 +63,7 @@ std::vector<btVector3> points_of(const PeerDef& def) {
     return point;
 }
 
-/// Each pair of joined points once.
+/// Each edge once.
 std::set<std::pair<int, int>> edges_of(const PeerDef& def) {
     std::set<std::pair<int, int>> edge;
     for (int t = 0; t < def.triangle_count; t++)
@@ -108,7 +108,7 @@ Peer::Peer(const PeerDef& def)
         skin.appendLink(a, b);
     for (int t = 0; t < def.triangle_count; t++)
         skin.appendFace(def.triangle[t][0], def.triangle[t][1], def.triangle[t][2]);
-    skin.randomizeConstraints(); // as Bullet's own set-up does: rounds converge faster so
+    skin.randomizeConstraints(); // as in Bullet's own setup: rounds converge faster
     skin.setTotalMass((btScalar)def.mass);
     for (int i = 0; def.held && i < def.point_count; i++)
         if (def.held[i])
@@ -122,7 +122,7 @@ Peer::Peer(const PeerDef& def)
     skin.m_cfg.kDF = (btScalar)def.friction;
     skin.m_cfg.piterations = def.position_rounds;
     skin.m_cfg.viterations = def.velocity_rounds;
-    if (def.velocity_rounds > 0) // without a row here Bullet's rounds over velocities are empty
+    if (def.velocity_rounds > 0) // with an empty sequence Bullet's velocity rounds do nothing
         skin.m_cfg.m_vsequence.push_back(btSoftBody::eVSolver::Linear);
     skin.m_cfg.collisions = btSoftBody::fCollision::SDF_RS;
     skin.getCollisionShape()->setMargin((btScalar)def.margin);

@@ -1,18 +1,17 @@
-/// Bullet's own soft body, as a peer to measure ours against: points joined by links, a pressure,
-/// rigid balls. A C face on flat arrays; peer.cpp alone sees btSoftBody.
+/// Bullet's own soft body, a peer for comparison: points joined by links, a pressure, rigid balls. A C
+/// interface on flat arrays; only peer.cpp includes btSoftBody.
 ///
-/// Bullet steps by semi-implicit Euler, v' = v + h f/m and x' = x + h v'; then rounds over the
-/// links move points (position-based dynamics), and the velocity is what the points moved:
+/// Bullet steps by semi-implicit Euler, v' = v + h f/m and x' = x + h v'; then rounds over the links
+/// move points (position-based dynamics), and velocities follow from the positions:
 ///
-///     link       each round moves both ends along it by `stiffness` of what its length is off
-///     pressure   f_i = (pressure / V) a_i n_i, a_i the mean (not the third of the sum) of the
-///     areas
-///                that the faces around i had at the first step: about half of p dV/dx
-///     damping    v' = (1 - damping) (x' - x) / h, whatever h is
-///     contact    a point within `margin` of a ball, found once a step: triangles are not looked at
+///     link       each round corrects the fraction `stiffness` of the error of the link's length
+///     pressure   f_i = (pressure / V) a_i n_i, a_i the mean (not a third of the sum) of the areas
+///                of the faces around i at the first step: about half of p dV/dx
+///     damping    v' = (1 - damping) (x' - x) / h, independent of h
+///     contact    a point within `margin` of a ball, found once a step; triangles are not tested
 ///
-/// Links are the triangles' edges, each once. Bullet's own mesh set-up (btSoftBodyHelpers) and its
-/// generateBendingConstraints keep a table of V x V and overflow its 32-bit size above 46,340
+/// Links are the triangles' edges, each once. Bullet's own mesh setup (btSoftBodyHelpers) and its
+/// generateBendingConstraints allocate a table of V x V, whose 32-bit size overflows above 46,340
 /// points; neither is used here, so a peer has no bending links and any number of points.
 #ifndef BALLOON_LAB_PEER_PEER_H
 #define BALLOON_LAB_PEER_PEER_H
@@ -27,7 +26,8 @@ extern "C" {
 
 typedef struct Peer Peer;
 
-/// A link from a point to a fixed place. Bullet's links also push: it is a rod, no string.
+/// A link from a point to a fixed position. Bullet's links also resist compression, so this is a rod
+/// and no string.
 typedef struct PeerRod {
     int point;
     double4 to;    ///< [m]
@@ -36,11 +36,11 @@ typedef struct PeerRod {
 
 typedef struct PeerDef {
     int point_count;
-    const double4* point; ///< [point_count] where the points are at rest [m]; copied
+    const double4* point; ///< [point_count] rest positions [m]; copied
     int triangle_count;
     const int (*triangle)[3]; ///< [triangle_count] counter-clockwise seen from outside; copied
     double mass;              ///< of all points together, shared equally [kg]
-    const bool* held;         ///< [point_count] points that stay where they are; NULL: none
+    const bool* held;         ///< [point_count] fixed points; NULL: none
     int rod_count;
     const PeerRod* rod;  ///< [rod_count] copied
     double stiffness;    ///< kLST, 0 … 1 [1]
@@ -51,18 +51,18 @@ typedef struct PeerDef {
     int velocity_rounds; ///< viterations: links also change velocities, before the positions
     double margin;       ///< of points against balls [m]
     double gravity;      ///< [m/s^2] downward
-    double lift;         ///< of the skin alone [m/s^2] upward
+    double lift;         ///< acceleration of the skin alone [m/s^2] upward
 } PeerDef;
 
-/// Bullet's own values, but for the margin, which there is 0.25 m whatever the size.
+/// Bullet's defaults, except for the margin, which Bullet sets to 0.25 m for every size.
 PeerDef peer_def_default(void);
 
 Peer* peer_open(const PeerDef* def);
 
-/// A rigid ball; of its restitution Bullet's contacts with soft bodies know nothing.
+/// Add a rigid ball; Bullet's contacts with soft bodies ignore its restitution.
 void peer_add_sphere(Peer* peer, const Sphere* sphere);
 
-/// kPR from now on, pressure times volume [J].
+/// Set kPR, pressure times volume [J].
 void peer_set_pressure(Peer* peer, double pressure);
 
 void peer_step(Peer* peer, double h);

@@ -11,17 +11,17 @@
 #include "world/probe.h"
 
 enum {
-    ROUNDS_MOST = 64,  ///< of a fit: more than any game spends
-    FIT_HALVINGS = 10, ///< of the stiffness: to a thousandth
-    FIT_STEPS = 100,   ///< at least, until a skin is at rest
+    MAX_ROUNDS = 64,   ///< of a fit: more than any game uses
+    FIT_HALVINGS = 10, ///< bisections of the stiffness: to a thousandth
+    FIT_STEPS = 100,   ///< minimum number of steps until a skin is at rest
 };
 
-static const double fit_seconds = 0.3; ///< and so long at least [s]
+static const double fit_seconds = 0.3; ///< minimum time until a skin is at rest [s]
 
-/// A state is bad where it is not finite or its volume this many times its first box. [1]
+/// A state is bad if its volume is not finite or exceeds this many times size^3. [1]
 static const double too_large = 1e6;
 
-/// Balloon and peer in step: the world's first balloon shows where the peer is.
+/// A peer and the world whose first balloon and balls receive its state after each step.
 typedef struct Pair {
     World* world;
     Peer* peer;
@@ -29,7 +29,7 @@ typedef struct Pair {
     double spent; ///< CPU time of the peer's steps [s]
 } Pair;
 
-static void show(Pair* pair) {
+static void copy_state(Pair* pair) {
     World* world = pair->world;
     Body* body = &world->balloon[0].body;
     double4* state = new_array(double4, 2 * body->count);
@@ -56,7 +56,7 @@ static void step(Pair* pair, double pressure, double h) {
     const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
     peer_step(pair->peer, h);
     pair->spent += clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
-    show(pair);
+    copy_state(pair);
 }
 
 static Pair pair_open(World* world, const PeerLinks* links) {
@@ -65,13 +65,14 @@ static Pair pair_open(World* world, const PeerLinks* links) {
                   .first_area = measure_area(&world->balloon[0].mesh, world->balloon[0].body.x)};
 }
 
-/// Of an open sheet no volume tells; its box does.
+/// Measured by size^3, because an open sheet has no volume.
 static bool is_bad(const Pair* pair) {
     const double volume = peer_volume(pair->peer), size = pair->world->balloon[0].body.size;
     return !(fabs(volume) < too_large * size * size * size);
 }
 
-/// First volumes at rest under the fit's pressure, brought on within a quarter of the time.
+/// Volume at rest under the fit's pressure over the first volume [1]; the pressure rises during the
+/// first quarter of the time.
 static double volume_at_rest(World* world, const PeerFit* fit, const PeerLinks* links) {
     world_reset(world);
     Pair pair = pair_open(world, links);
@@ -85,14 +86,14 @@ static double volume_at_rest(World* world, const PeerFit* fit, const PeerLinks* 
     return ratio;
 }
 
-/// In as many rounds as it takes.
+/// Links like springs of stiffness k, in as many rounds as needed.
 static PeerLinks links_like(const World* world, double spring) {
     const Body* body = &world->balloon[0].body;
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < body->count; i++)
-        most = fmax(most, (double)body->inverse_mass[i]);
-    const double moved = spring * world->step * world->step * 2 * most;
-    const int rounds = (int)fmin(ROUNDS_MOST, ceil(moved));
+        max = fmax(max, (double)body->inverse_mass[i]);
+    const double moved = spring * world->step * world->step * 2 * max;
+    const int rounds = (int)fmin(MAX_ROUNDS, ceil(moved));
     return (PeerLinks){fmin(1, moved / rounds), rounds};
 }
 
@@ -102,7 +103,7 @@ PeerLinks peer_fit(World* world, const PeerFit* fit) {
         return links_like(world, fit->spring);
     if (!(fit->ratio > 0))
         return links;
-    while (volume_at_rest(world, fit, &links) > fit->ratio && links.rounds < ROUNDS_MOST)
+    while (volume_at_rest(world, fit, &links) > fit->ratio && links.rounds < MAX_ROUNDS)
         links.rounds *= 2;
     if (volume_at_rest(world, fit, &links) > fit->ratio)
         return links;
@@ -115,12 +116,12 @@ PeerLinks peer_fit(World* world, const PeerFit* fit) {
     return links;
 }
 
-/// Steps up to a time, but for rounding of decimal fractions.
+/// Number of steps in a time, rounded down with a tolerance for decimal fractions.
 static long steps_to(double time, double h) {
     return (long)floor(time / h * (1 + 1e-12) + 1e-9);
 }
 
-/// The world's clock goes on with the peer until so many steps are done or its state is bad.
+/// Step the peer and the world's clock until `until` steps are done or the state is bad.
 static void advance(Pair* pair, long until) {
     World* world = pair->world;
     while (world->step_count < until && !is_bad(pair)) {

@@ -11,11 +11,11 @@
 
 extern char** environ;
 
-enum { SIDE_BY_SIDE_MOST = 16 };
+enum { MAX_PARALLEL = 16 };
 
-/// A program that runs: where its output goes, until it is read.
+/// A running program and the files of its output.
 typedef struct Running {
-    Launch* launch; ///< NULL: this place is free
+    Launch* launch; ///< NULL: this slot is free
     pid_t process;
     FILE* out;
     FILE* err;
@@ -80,11 +80,11 @@ static bool begin(Running* running, Launch* launch, Fault* fault) {
     return fault_set(fault, launch->word[0], "cannot be started: %s", strerror(bad));
 }
 
-/// Wait for the one that ends next.
+/// Wait for the program that ends next, and read its output.
 static void end_one(Running* running) {
     int status;
     const pid_t process = wait(&status);
-    for (int k = 0; k < SIDE_BY_SIDE_MOST; k++)
+    for (int k = 0; k < MAX_PARALLEL; k++)
         if (running[k].launch && running[k].process == process) {
             running[k].launch->status = status;
             running[k].launch->out = read_all(running[k].out);
@@ -93,33 +93,33 @@ static void end_one(Running* running) {
         }
 }
 
-static int free_place(const Running* running, int side_by_side) {
-    for (int k = 0; k < side_by_side; k++)
+static int free_slot(const Running* running, int parallel) {
+    for (int k = 0; k < parallel; k++)
         if (!running[k].launch)
             return k;
     return -1;
 }
 
-bool launch_all(Launch* launch, int count, int side_by_side, const char* what, Fault* fault) {
-    ASSERT(side_by_side <= SIDE_BY_SIDE_MOST, "there is a place for each that runs");
-    const bool say = isatty(STDERR_FILENO);
-    Running running[SIDE_BY_SIDE_MOST] = {{0}};
-    int going = 0, next = 0;
+bool launch_all(Launch* launch, int count, int parallel, const char* title, Fault* fault) {
+    ASSERT(parallel <= MAX_PARALLEL, "there is a slot for each running program");
+    const bool progress = isatty(STDERR_FILENO);
+    Running running[MAX_PARALLEL] = {{0}};
+    int running_count = 0, next = 0;
     bool good = true;
-    while (going > 0 || (good && next < count)) {
-        const int place = free_place(running, side_by_side);
-        if (good && next < count && place >= 0) {
-            good = begin(&running[place], &launch[next++], fault);
-            going += good;
+    while (running_count > 0 || (good && next < count)) {
+        const int slot = free_slot(running, parallel);
+        if (good && next < count && slot >= 0) {
+            good = begin(&running[slot], &launch[next++], fault);
+            running_count += good;
             continue;
         }
         end_one(running);
-        going--;
-        if (say)
-            fprintf(stderr, "\r%s: %d of %d ", what, next - going, count);
+        running_count--;
+        if (progress)
+            fprintf(stderr, "\r%s: %d of %d ", title, next - running_count, count);
     }
-    if (say)
-        fprintf(stderr, "\r%*s\r", (int)strlen(what) + 24, "");
+    if (progress)
+        fprintf(stderr, "\r%*s\r", (int)strlen(title) + 24, "");
     return good;
 }
 

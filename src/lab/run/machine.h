@@ -1,4 +1,4 @@
-/// The machine that a measurement was made on.
+/// The name of the present machine, printed beside measurements.
 #ifndef BALLOON_LAB_RUN_MACHINE_H
 #define BALLOON_LAB_RUN_MACHINE_H
 

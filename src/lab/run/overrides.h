@@ -1,4 +1,4 @@
-/// Overrides of a scene as texts, KEY=VALUE, one after the other.
+/// A list of overrides of a scene, as texts KEY=VALUE.
 #ifndef BALLOON_LAB_RUN_OVERRIDES_H
 #define BALLOON_LAB_RUN_OVERRIDES_H
 
@@ -9,7 +9,7 @@ typedef struct Overrides {
     int count;
 } Overrides;
 
-/// Add one, as printf has it.
+/// Append an override, formatted like printf.
 void overrides_add(Overrides* sets, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

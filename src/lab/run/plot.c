@@ -24,7 +24,7 @@ bool plot_open(Plot* plot, const char* folder, const char* name, int width, int 
     if (!plot->script)
         return fault_set(fault, plot->file, "cannot be written: %s", strerror(errno));
 
-    // one body for both pictures; gnuplot has no other way to name it twice
+    // a loop, because gnuplot cannot write two formats at once
     fprintf(plot->script,
             "# gnuplot %s.gp\n"
             "set datafile separator ','\n"
@@ -39,7 +39,7 @@ bool plot_open(Plot* plot, const char* folder, const char* name, int width, int 
     return true;
 }
 
-/// gnuplot goes to the folder and loads the script there. A quote in a name is doubled.
+/// Commands that change to the folder and load the script; quotes in names are doubled.
 static void load(const Plot* plot, FILE* gnuplot) {
     fprintf(gnuplot, "cd '");
     for (const char* c = plot->folder; *c; c++)
@@ -53,7 +53,7 @@ bool plot_close(Plot* plot, Fault* fault) {
     if (fclose(plot->script) != 0 || !whole)
         return fault_set(fault, plot->file, "cannot be written: %s", strerror(errno));
 
-    // a gnuplot that ends early is an error of ours to report, not a signal to die of
+    // if gnuplot ends early, writing must return an error rather than raise a signal
     signal(SIGPIPE, SIG_IGN);
     FILE* gnuplot = popen("command -v gnuplot >/dev/null || exit 127; exec gnuplot -", "w");
     if (!gnuplot)

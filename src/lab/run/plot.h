@@ -1,9 +1,8 @@
-/// A chart by gnuplot, through a pipe.
+/// A chart drawn by gnuplot.
 ///
-/// The script stays beside its data as NAME.gp, so that anyone can draw the chart again with
-/// `gnuplot NAME.gp` in that folder; what it draws are NAME.svg and NAME.png. Whoever opens a plot
-/// prints to `script` what gnuplot is to do, from `set` to `plot`: it is done once for each
-/// picture, with comma-separated data files and a key line in each.
+/// The script stays beside its data as NAME.gp, so that `gnuplot NAME.gp` in that folder draws
+/// NAME.svg and NAME.png again. The caller prints commands to `script`, from `set` to `plot`; gnuplot
+/// executes them once for each picture. Data files are comma-separated, with a header line.
 ///
 ///     Plot plot;
 ///     if (!plot_open(&plot, "out", "chart", 960, 720, fault))
@@ -22,15 +21,15 @@ typedef struct Plot {
     char file[400]; ///< of the script
 } Plot;
 
-/// Make a folder for results where there is none yet.
+/// Make a folder for results if it does not exist.
 bool plot_folder(const char* folder, Fault* fault);
 
 /// Begin the script FOLDER/NAME.gp of a picture of that size [pixels].
 bool plot_open(Plot* plot, const char* folder, const char* name, int width, int height,
                Fault* fault);
 
-/// End the script and draw it. A script that cannot be written and a gnuplot that is missing or
-/// does not take the script are faults.
+/// End the script and draw it. It is a fault if the script cannot be written, or if gnuplot is
+/// missing or fails.
 bool plot_close(Plot* plot, Fault* fault);
 
 #endif

@@ -6,34 +6,35 @@
 #include "mesh/shape.h"
 #include "scene/key.h"
 
-enum { NAME_MOST = 96 };
+enum { MAX_NAME = 96 };
 
-static bool moved(const Shape* shape, int level, int* n, int least, int most) {
+/// Change a number of a shape's name; returns whether the result is within min … max.
+static bool refine_number(const Shape* shape, int refinement, int* n, int min, int max) {
     if (strcmp(shape->name, "icosphere") == 0)
-        *n += level;
-    else if (level < 0)
-        *n >>= -level;
+        *n += refinement;
+    else if (refinement < 0)
+        *n >>= -refinement;
     else
-        *n <<= level;
-    return *n >= least && *n <= most;
+        *n <<= refinement;
+    return *n >= min && *n <= max;
 }
 
-/// The shape's name at another level; false where there is none.
-static bool name_at(const char* model, int level, char name[NAME_MOST]) {
+/// The shape's name at another refinement; false if there is none.
+static bool refined_name(const char* model, int refinement, char name[MAX_NAME]) {
     const Shape* shape = shape_find(model);
     const char* colon = strchr(model, ':');
     int n[2];
-    if (!shape || !colon || level == 0)
+    if (!shape || !colon || refinement == 0)
         return false;
     sscanf(colon, ":%dx%d", &n[0], &n[1]);
     for (int k = 0; k < shape->numbers; k++)
-        if (!moved(shape, level, &n[k], shape->min[k], shape->max[k]))
+        if (!refine_number(shape, refinement, &n[k], shape->min[k], shape->max[k]))
             return false;
-    snprintf(name, NAME_MOST, shape->numbers == 1 ? "%s:%d" : "%s:%dx%d", shape->name, n[0], n[1]);
+    snprintf(name, MAX_NAME, shape->numbers == 1 ? "%s:%d" : "%s:%dx%d", shape->name, n[0], n[1]);
     return true;
 }
 
-/// How many points a shape has; it is one of the table's.
+/// Number of points of a built-in shape.
 static int points_of(const char* model) {
     Mesh mesh = {0};
     MeshReport report = {0};
@@ -43,7 +44,7 @@ static int points_of(const char* model) {
     return count;
 }
 
-/// A number that names a particle is of one mesh.
+/// Whether a string is tied to a particle by its number, which holds for one mesh only.
 static bool is_tied_by_number(const BalloonDef* balloon) {
     for (unsigned s = 0; s < balloon->strings_count; s++)
         if (balloon->strings[s].at && strspn(balloon->strings[s].at, "0123456789") > 0)
@@ -65,12 +66,12 @@ static void share_number(const KeyValue* value, void* context) {
         overrides_add(shares->sets, "%s=%.17g", value->path, shares->share * value->number);
 }
 
-bool refinement_add(const World* world, int level, Overrides* sets) {
+bool refinement_add(const World* world, int refinement, Overrides* sets) {
     const int before = sets->count;
     for (unsigned b = 0; b < world->def.balloons_count; b++) {
         const BalloonDef* balloon = &world->def.balloons[b];
-        char name[NAME_MOST];
-        if (is_tied_by_number(balloon) || !name_at(balloon->model, level, name))
+        char name[MAX_NAME];
+        if (is_tied_by_number(balloon) || !refined_name(balloon->model, refinement, name))
             continue;
         Shares shares = {.sets = sets,
                          .share = (double)world->balloon[b].body.count / points_of(name)};

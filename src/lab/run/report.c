@@ -14,7 +14,7 @@ static int count_of(const char* text, char c) {
     return count;
 }
 
-/// The next line of a text, which it ends with a zero; NULL after the last.
+/// The next line of a text, terminated in place; NULL after the last.
 static char* next_line(char** text) {
     char* line = *text;
     if (!*line)
@@ -37,7 +37,7 @@ static void read_names(Report* report, char* line) {
     }
 }
 
-/// A row has a number in each column; what else is printed has not.
+/// Read a row of the CSV; false for a line that is no row.
 static bool read_row(const Report* report, const char* line, double* value) {
     for (int c = 0; c < report->columns; c++) {
         char* end;
@@ -57,14 +57,14 @@ static void read_result(Report* report, const char* text) {
     report->output = line.output;
     report->outputs = line.outputs;
     report->ms = line.cpu_ms;
-    report->parts = line.substeps;
+    report->substeps = line.substeps;
     if (line.ended)
         snprintf(report->hash, sizeof report->hash, "%s", line.hash);
 }
 
 void report_read(Report* report, const Launch* launch) {
-    *report =
-        (Report){.ms = (double)NAN, .parts = 1, .text = new_array(char, strlen(launch->out) + 1)};
+    *report = (Report){
+        .ms = (double)NAN, .substeps = 1, .text = new_array(char, strlen(launch->out) + 1)};
     strcpy(report->text, launch->out);
     report->ended = WIFEXITED(launch->status) && WEXITSTATUS(launch->status) == 0;
     const int lines = count_of(report->text, '\n');
