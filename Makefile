@@ -90,11 +90,11 @@ check: packages-build packages-run packages-test packages-check
 	@tests/format.sh
 	@tests/layers.sh
 	@$(MAKE) --no-print-directory -j$(JOBS) headers
-	@$(MAKE) --no-print-directory -j$(JOBS) EXTRA=$(or $(EXTRA),-Werror) programs
+	@$(MAKE) --no-print-directory -j$(JOBS) EXTRA="$(or $(EXTRA),-Werror)" programs
 	@tests/structure.sh $(BUILD)
 	@JOBS=$(JOBS) tests/hashes.sh check $(BUILD)
 	@echo "clang, warnings as errors"
-	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ EXTRA=-Werror \
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ EXTRA="-Werror -g1" \
 	    programs tests-syntax
 	@BALLOON_CPU=baseline THREADS=2 JOBS=$(JOBS) tests/hashes.sh check-own build/clang
 	@echo "sanitizers"
