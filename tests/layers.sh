@@ -30,7 +30,7 @@ declare -A may=(
 # a library's folders, or the one file of a folder that may see it
 declare -A library=(
     [assimp]="mesh" [yaml.h]="scene" [cglm]="view" [EGL]="draw" [GL/]="draw"
-    [imgui]="hud" [GLFW]="show" [png.h]="show" [suitesparse]="solve/factor.c"
+    [imgui]="hud" [GLFW]="show" [X11/]="show/display.c" [png.h]="show" [suitesparse]="solve/factor.c"
     [bt]="contact lab/peer/peer.cpp" [Bullet]="contact lab/peer/peer.cpp"
 )
 

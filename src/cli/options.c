@@ -4,59 +4,60 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// An option sets a text or a flag of Options, or is short for `--set key=VALUE`.
-typedef struct Option {
-    const char* name;
-    const char* value; ///< name of its value in the help; NULL: a flag
-    const char* about;
-    size_t text;     ///< offset of a const char* in Options
-    size_t flag;     ///< offset of a bool in Options
-    const char* key; ///< key of the scene that it sets; "": the value names the key
-    const char* old; ///< earlier name, still read; NULL: none
-} Option;
+#include "base/table.h"
+#include "cli/verb.h"
 
 #define TEXT(field) .text = offsetof(Options, field)
 #define FLAG(field) .flag = offsetof(Options, field)
 
-// clang-format off
-static const Option option_table[] = {
-    {"--seconds",   "T",        "simulated time; default: the scene's, or 10",     TEXT(seconds)},
-    {"--fps",       "N",        "frames or CSV rows per simulated second; 60",     TEXT(fps)},
-    {"--size",      "WxH",      "of the pictures; 1280x720",                       TEXT(size)},
-    {"--out",       "PATH",     "render: a folder for frames, or a .png, .mp4, .webm, .gif; out", TEXT(out)},
-    {"--mode",      "NAME",     "display mode; see balloon list",                  TEXT(mode)},
-    {"--overlay",   NULL,       "render: pictures with the status box",            FLAG(overlay)},
-    {"--lab",       NULL,       "play, render: pictures with the lab's panel",     FLAG(lab)},
-    {"--input",     "FILE",     "replay an input log",                             TEXT(input)},
-    {"--record",    "FILE",     "write the session's input log",                   TEXT(record)},
-    {"--csv",       "FILE",     "numbers, one row a frame; - for standard output", TEXT(csv)},
-    {"--mesh",      "FILE",     "the skins at the end, as .obj",                   TEXT(mesh), .old = "--obj"},
-    {"--hash",      NULL,       "print the hash of the state at the end",          FLAG(hash)},
-    {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages",           FLAG(time)},
-    {"--report",    NULL,       "run, peer: one last line of KEY=VALUE, for programs", FLAG(report)},
-    {"--quiet",     NULL,       "say nothing but results and faults",              FLAG(quiet)},
-    {"--threads",   "N",        "threads that share a step, same bits; 1",         TEXT(threads)},
-    {"--keep",      NULL,       "bench: keep these figures, to compare later ones with", FLAG(keep)},
-    {"--only",      "WORD",     "bench table1: the models with it in their names", TEXT(only)},
-    {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement",  FLAG(quick)},
-    {"--all",       NULL,       "chart: every point there is; needs: every scene",                    FLAG(all)},
-    {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", TEXT(fit)},
-    {"--compare",   "METHOD",   "a second copy of the scene by that method, as a ghost", TEXT(compare)},
-    {"--error",     "E",        "advise: how far off it may be, as 1%",            TEXT(error)},
-    {"--budget",    "T",        "advise: what a frame may cost, as 4ms",           TEXT(budget)},
-    {"--fresh",     NULL,       "advise: measure this machine again",              FLAG(fresh)},
-    {"--auto",      NULL,       "play, render, run: as advise says; 8ms if nobody says", FLAG(advised)},
-    {"--method",    "NAME",     "how to step; see balloon list",                   .key = "method"},
-    {"--step",      "S",        "length of a step [s]",                            .key = "step"},
-    {"--guard",     "split|stop|off", "what to do with a step that is too long",   .key = "guard"},
-    {"--precision", "float|double",   "of the state",                              .key = "precision"},
-    {"--set",       "KEY=VALUE", "any key of the scene, as in balloons.0.inflation.amount=10", .key = ""},
+/// Verbs that read the same options.
+enum {
+    SHOWS = VERB_PLAY | VERB_RENDER,
+    SESSIONS = SHOWS | VERB_RUN,
+    RUNS = SESSIONS | VERB_PEER,
+    SCENES = RUNS | VERB_NEEDS | VERB_ADVISE,
+    OUTS = VERB_RENDER | VERB_BENCH | VERB_CHART | VERB_STABILITY | VERB_NEEDS | VERB_ADVISE,
 };
-enum { OPTIONS = sizeof option_table / sizeof *option_table };
+
+// clang-format off
+const Option option_table[] = {
+    {"--seconds",   "T",        "simulated time; default: the scene's, or 10", RUNS, TEXT(seconds)},
+    {"--fps",       "N",        "frames or CSV rows per simulated second; 60", RUNS, TEXT(fps)},
+    {"--size",      "WxH",      "of the pictures; 1280x720", SHOWS, TEXT(size)},
+    {"--out",       "PATH",     "render: a folder for frames, or a .png, .mp4, .webm, .gif; out", OUTS, TEXT(out)},
+    {"--mode",      "NAME",     "display mode; see balloon list", SHOWS, TEXT(mode)},
+    {"--overlay",   NULL,       "render: pictures with the status box", VERB_RENDER, FLAG(overlay)},
+    {"--lab",       NULL,       "play, render: pictures with the lab's panel", SHOWS, FLAG(lab)},
+    {"--input",     "FILE",     "replay an input log", SESSIONS, TEXT(input)},
+    {"--record",    "FILE",     "write the session's input log", SESSIONS, TEXT(record)},
+    {"--csv",       "FILE",     "numbers, one row a frame; - for standard output", VERB_RUN | VERB_PEER, TEXT(csv)},
+    {"--mesh",      "FILE",     "the skins at the end, as .obj", VERB_RUN, TEXT(mesh), .old = "--obj"},
+    {"--hash",      NULL,       "print the hash of the state at the end", RUNS, FLAG(hash)},
+    {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages", RUNS, FLAG(time)},
+    {"--report",    NULL,       "run, peer: one last line of KEY=VALUE, for programs", VERB_RUN | VERB_PEER, FLAG(report)},
+    {"--quiet",     NULL,       "say nothing but results and faults", RUNS, FLAG(quiet)},
+    {"--threads",   "N",        "threads that share a step, same bits; 1", VERBS_ALL, TEXT(threads)},
+    {"--keep",      NULL,       "bench: keep these figures, to compare later ones with", VERB_BENCH, FLAG(keep)},
+    {"--only",      "WORD",     "bench table1: the models with it in their names", VERB_BENCH, TEXT(only)},
+    {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement", VERB_BENCH | VERB_CHART | VERB_STABILITY | VERB_NEEDS, FLAG(quick)},
+    {"--all",       NULL,       "chart: every point there is; needs: every scene", VERB_CHART | VERB_NEEDS, FLAG(all)},
+    {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", VERB_PEER, TEXT(fit)},
+    {"--compare",   "METHOD",   "a second copy of the scene by that method, as a ghost", SESSIONS, TEXT(compare)},
+    {"--error",     "E",        "advise: how far off it may be, as 1%", SESSIONS | VERB_ADVISE, TEXT(error)},
+    {"--budget",    "T",        "advise: what a frame may cost, as 4ms", SESSIONS | VERB_ADVISE, TEXT(budget)},
+    {"--fresh",     NULL,       "advise: measure this machine again", SESSIONS | VERB_ADVISE, FLAG(fresh)},
+    {"--auto",      NULL,       "play, render, run: as advise says; 8ms if nobody says", SESSIONS, FLAG(advised)},
+    {"--method",    "NAME",     "how to step; see balloon list", SCENES, .key = "method"},
+    {"--step",      "S",        "length of a step [s]", SCENES, .key = "step"},
+    {"--guard",     "split|stop|off", "what to do with a step that is too long", SCENES, .key = "guard"},
+    {"--precision", "float|double",   "of the state", SCENES, .key = "precision"},
+    {"--set",       "KEY=VALUE", "any key of the scene, as in balloons.0.inflation.amount=10", SCENES, .key = ""},
+};
 // clang-format on
+const int option_count = sizeof option_table / sizeof *option_table;
 
 void options_print(void) {
-    for (int k = 0; k < OPTIONS; k++)
+    for (int k = 0; k < option_count; k++)
         printf("  %-11s %-14s  %s\n", option_table[k].name,
                option_table[k].value ? option_table[k].value : "", option_table[k].about);
 }
@@ -106,7 +107,7 @@ static bool is_named(const char* option, const char* name, size_t length) {
 
 /// The row of an option's name; an earlier name is read with a sentence on stderr.
 static const Option* find_option(const char* name, size_t length) {
-    for (int k = 0; k < OPTIONS; k++) {
+    for (int k = 0; k < option_count; k++) {
         if (is_named(option_table[k].name, name, length))
             return &option_table[k];
         if (is_named(option_table[k].old, name, length)) {
@@ -117,33 +118,59 @@ static const Option* find_option(const char* name, size_t length) {
     return NULL;
 }
 
-bool options_read(int argc, char** argv, bool (*is_verb)(const char* word), Options* options,
-                  const char** verb, Fault* fault) {
-    *verb = NULL;
-    for (int a = 1; a < argc; a++) {
-        const char* word = argv[a];
-        if (strncmp(word, "--", 2) == 0) {
-            const char* equals = strchr(word, '=');
-            const size_t length = equals ? (size_t)(equals - word) : strlen(word);
-            const Option* option = find_option(word, length);
-            if (!option)
-                return fault_set(fault, word, "no such option; see balloon --help");
-            if (option->value && !equals && a + 1 == argc)
-                return fault_set(fault, word, "needs a value: %s", option->value);
-            if (!option->value && equals)
-                return fault_set(fault, word, "takes no value");
-            const char* value = !option->value ? NULL : equals ? equals + 1 : argv[++a];
-            if (!apply_option(options, option, value, fault))
-                return false;
+/// What an option's argument says of its row: the row, or NULL with a fault. *a: its index, that of
+/// its value afterwards.
+static const Option* read_option(int argc, char** argv, int* a, Options* options, Fault* fault) {
+    const char* word = argv[*a];
+    const char* equals = strchr(word, '=');
+    const size_t length = equals ? (size_t)(equals - word) : strlen(word);
+    const Option* option = find_option(word, length);
+    bool good = true;
+    if (!option)
+        good = fault_set(fault, word, "no such option; see balloon --help");
+    else if (option->value && !equals && *a + 1 == argc)
+        good = fault_set(fault, word, "needs a value: %s", option->value);
+    else if (!option->value && equals)
+        good = fault_set(fault, word, "takes no value");
+    if (!good)
+        return NULL;
+    const char* value = !option->value ? NULL : equals ? equals + 1 : argv[++*a];
+    return apply_option(options, option, value, fault) ? option : NULL;
+}
+
+/// Whether the verb reads each of these options.
+static bool verb_reads(const Verb* verb, const bool* used, Fault* fault) {
+    for (int k = 0; k < option_count; k++) {
+        char names[200] = "";
+        if (!used[k] || option_table[k].verbs & verb->bit)
             continue;
-        }
-        if (!*verb && !options->target && is_verb(word)) {
-            *verb = word;
-            continue;
-        }
-        if (options->target)
-            return fault_set(fault, word, "only one scene or mesh at a time");
-        options->target = word;
+        for (int v = 0; v < verb_count; v++)
+            if (option_table[k].verbs & verb_table[v].bit)
+                table_add_name(names, sizeof names, verb_table[v].name);
+        return fault_set(fault, option_table[k].name, "not an option of %s; of %s", verb->name,
+                         names);
     }
     return true;
+}
+
+bool options_read(int argc, char** argv, Options* options, const Verb** verb, Fault* fault) {
+    bool used[sizeof option_table / sizeof *option_table] = {false};
+    *verb = NULL;
+    for (int a = 1; a < argc; a++) {
+        if (strncmp(argv[a], "--", 2) == 0) {
+            const Option* option = read_option(argc, argv, &a, options, fault);
+            if (!option)
+                return false;
+            used[option - option_table] = true;
+        } else if (!*verb && !options->target && verb_find(argv[a])) {
+            *verb = verb_find(argv[a]);
+        } else if (options->target) {
+            return fault_set(fault, argv[a], "only one scene or mesh at a time");
+        } else {
+            options->target = argv[a];
+        }
+    }
+    if (!*verb)
+        *verb = &verb_table[0];
+    return verb_reads(*verb, used, fault);
 }

@@ -1,7 +1,9 @@
 /// The command line: a table of options, each of which sets a field of Options or is short for
-/// `--set key=VALUE`.
+/// `--set key=VALUE`. An option that the verb does not read is refused.
 #ifndef BALLOON_CLI_OPTIONS_H
 #define BALLOON_CLI_OPTIONS_H
+
+#include <stddef.h>
 
 #include "scene/scene.h"
 
@@ -31,10 +33,26 @@ typedef struct Options {
     char typed[MAX_SETS][256]; ///< texts of the overrides that options such as --step are short for
 } Options;
 
+/// An option sets a text or a flag of Options, or is short for `--set key=VALUE`.
+typedef struct Option {
+    const char* name;
+    const char* value; ///< name of its value in the help; NULL: a flag
+    const char* about;
+    unsigned verbs;  ///< that read it: their bits (cli/verb.h)
+    size_t text;     ///< offset of a const char* in Options
+    size_t flag;     ///< offset of a bool in Options
+    const char* key; ///< key of the scene that it sets; "": the value names the key
+    const char* old; ///< earlier name, still read; NULL: none
+} Option;
+
+extern const Option option_table[];
+extern const int option_count;
+
+struct Verb; // cli/verb.h
+
 /// Read options, "--key value" or "--key=value", at any position; the other words are verb and
-/// target. verb: the first word if it is a verb, else NULL. Texts point into argv.
-bool options_read(int argc, char** argv, bool (*is_verb)(const char* word), Options* options,
-                  const char** verb, Fault* fault);
+/// target. The verb is play if the first word is none. Texts point into argv.
+bool options_read(int argc, char** argv, Options* options, const struct Verb** verb, Fault* fault);
 
 void options_print(void);
 

@@ -3,6 +3,7 @@
 
 #include "cli/bench_table.h"
 #include "cli/open.h"
+#include "base/interrupt.h"
 #include "cli/verb.h"
 #include "lab/chart/chart.h"
 #include "lab/advice/needs.h"
@@ -30,6 +31,7 @@ bool verb_peer(const Options* options, Fault* fault) {
         return fault_set(fault, NULL, "Bullet in which scene? See balloon --help");
     if (options->csv && strcmp(options->csv, "-") != 0)
         return fault_set(fault, "--csv", "a peer prints its numbers; write --csv -");
+    interrupt_catch();
     if (!read_fit(options->fit, &peer.fit, fault) || !cli_open_world(options, &world, fault))
         return false;
     const bool good =

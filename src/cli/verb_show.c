@@ -1,6 +1,7 @@
 #include <stdio.h>
 
 #include "cli/open.h"
+#include "base/interrupt.h"
 #include "cli/verb.h"
 #include "show/run.h"
 #include "show/show.h"
@@ -43,6 +44,7 @@ static bool show_pair(const Options* options, bool window, Fault* fault) {
     ShowOptions show;
     Ghost ghost = {0};
     Sets sets;
+    interrupt_catch();
     if (!cli_open_pair(options, &sets, &world, &ghost, fault))
         return false;
     bool good = show_options(options, &sets, &world, &ghost, &show, fault);
@@ -75,6 +77,7 @@ bool verb_run(const Options* options, Fault* fault) {
                               .report = options->report,
                               .ghost = options->compare ? &ghost : NULL,
                               .quiet = options->quiet};
+    interrupt_catch();
     if (!cli_open_pair(options, &sets, &world, &ghost, fault))
         return false;
     const bool good = options_number(options->seconds, "--seconds", world.def.seconds,

@@ -223,6 +223,6 @@ bool app_close(App* app, bool complete, Fault* fault) {
     renderer_close(app->renderer);
     picture_close(&app->picture);
     live_lab_close(app->lab);
-    session_close(&app->session);
+    complete = session_close(&app->session, fault) && complete;
     return app->output.close(app->output.self, complete, fault);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/interrupt.h"
 #include "hud/hud.h"
 #include "show/keys.h"
 #include "view/status.h"
@@ -66,7 +67,8 @@ static bool advance(App* app, double elapsed, Fault* fault) {
     long due = pacer_due(&app->pacer, elapsed);
     if (app->lab)
         live_lab_start(app->lab, app->world);
-    for (; due > 0 && app->world->clock < app->end_step && !app->output.late(app->output.self);
+    for (; due > 0 && app->world->clock < app->end_step && !app->output.late(app->output.self) &&
+           !interrupt_signal();
          due--) {
         const double before = ghost_ms(app);
         if (!session_step(&app->session, fault))
@@ -127,7 +129,7 @@ static void draw(App* app, double elapsed, double frame_ms) {
 
 bool app_run(App* app, Fault* fault) {
     Input input;
-    while (!app->quit && app->world->clock < app->end_step &&
+    while (!app->quit && app->world->clock < app->end_step && !interrupt_signal() &&
            app->output.next(app->output.self, &input)) {
         stages_begin(&app->stages);
         if (!handle_input(app, &input, fault) || !advance(app, input.elapsed, fault) ||
@@ -146,5 +148,6 @@ bool app_run(App* app, Fault* fault) {
         *app->options->stages = app->stages;
     if (app->options->time)
         stages_print(&app->stages);
-    return true;
+    return !interrupt_signal() ||
+           interrupt_fault(app->world->def.file, world_time(app->world), fault);
 }

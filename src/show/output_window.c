@@ -8,7 +8,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "base/interrupt.h"
 #include "base/memory.h"
+#include "show/display.h"
 
 // Wall time of a frame for steps of the world. Steps beyond it are dropped, so that the window
 // responds on a slow machine. [s]
@@ -21,6 +23,7 @@ static const double SMOOTHING = 0.1;
 
 typedef struct Window {
     GLFWwindow* window;
+    bool display_lost;  ///< no function of GLFW may be called any more
     Input input;        ///< collects events until `next` returns it
     double frame_start; ///< time at which the last frame began [s]
     double frame_ms;    ///< smoothed [ms]
@@ -158,12 +161,16 @@ static void measure_window(Window* window) {
 
 static bool next(void* self, Input* input) {
     Window* window = self;
+    window->display_lost = display_is_lost();
+    if (window->display_lost) // present says so
+        return true;
     glfwPollEvents();
     measure_window(window);
 
     // a minimized window has no pixels; the minimum frame time limits a driver that does not wait
     while (!glfwWindowShouldClose(window->window) &&
-           (window->input.width == 0 || glfwGetTime() - window->frame_start < MIN_FRAME_TIME)) {
+           (window->input.width == 0 || glfwGetTime() - window->frame_start < MIN_FRAME_TIME) &&
+           !display_is_lost() && !interrupt_signal()) {
         glfwWaitEventsTimeout(MIN_FRAME_TIME);
         measure_window(window);
     }
@@ -184,8 +191,10 @@ static bool late(void* self) {
 }
 
 static bool present(void* self, const Renderer* renderer, Fault* fault) {
-    (void)fault;
     Window* window = self;
+    window->display_lost = window->display_lost || display_is_lost();
+    if (window->display_lost)
+        return fault_set(fault, "window", "the display went away");
     renderer_show(renderer);
     glfwSwapBuffers(window->window);
     return true;
@@ -212,8 +221,10 @@ static void full_screen(void* self) {
 static bool close_window(void* self, bool complete, Fault* fault) {
     (void)fault;
     Window* window = self;
-    glfwDestroyWindow(window->window);
-    glfwTerminate();
+    if (!window->display_lost) {
+        glfwDestroyWindow(window->window);
+        glfwTerminate();
+    }
     free(window);
     return complete;
 }

@@ -1,12 +1,13 @@
 #include "show/run.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/clock.h"
+#include "base/interrupt.h"
 #include "base/memory.h"
+#include "base/stream.h"
 #include "lab/run/report_line.h"
 #include "show/pacer.h"
 #include "show/session.h"
@@ -25,7 +26,8 @@ static bool advance(Session* session, long until, bool quiet, double* spent, Rep
     World* world = session->world;
     const double start = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
     bool good = true;
-    while (good && world->clock < until && !world->blowup.halted && !world->notice[0]) {
+    while (good && world->clock < until && !world->blowup.halted && !world->notice[0] &&
+           !interrupt_signal()) {
         good = session_step(session, fault);
         count_substeps(line, world);
     }
@@ -39,27 +41,13 @@ static bool advance(Session* session, long until, bool quiet, double* spent, Rep
     return good;
 }
 
-static FILE* open_out(const char* path, Fault* fault) {
-    FILE* out = strcmp(path, "-") == 0 ? stdout : fopen(path, "w");
-    if (!out)
-        fault_set(fault, path, "cannot be written: %s", strerror(errno));
-    return out;
-}
-
-static bool close_out(FILE* out, const char* path, Fault* fault) {
-    const bool bad = ferror(out) || fflush(out) != 0;
-    if (out != stdout)
-        fclose(out);
-    return bad ? fault_set(fault, path, "could not be written to its end: %s", strerror(errno))
-               : true;
-}
-
 static bool write_skins(const World* world, const char* path, Fault* fault) {
-    FILE* out = open_out(path, fault);
+    FILE* out = stream_create(path, fault);
     if (!out)
         return false;
+    fputs(RUN_OBJ_MARK, out);
     probe_obj(world, out);
-    return close_out(out, path, fault);
+    return stream_close(out, path, fault);
 }
 
 /// The next step in from < step < until at which an output of the scene's `about` or `fails` is due,
@@ -131,6 +119,8 @@ static bool simulate(Session* session, const RunOptions* options, FILE* csv, dou
             const long stop = next_about(world, world->clock, until);
             if (!advance(session, stop, options->quiet, spent, line, fault))
                 return false;
+            if (interrupt_signal())
+                return interrupt_fault(world->def.file, world_time(world), fault);
             measure_about(world, line, !options->quiet && !csv);
             if (!options->quiet && !csv)
                 print_fails(world);
@@ -139,6 +129,8 @@ static bool simulate(Session* session, const RunOptions* options, FILE* csv, dou
             return fault_set(fault, world->def.file, "%s", world->blowup.text);
         if (csv && k <= frames)
             csv_row(session, csv);
+        if (csv && ferror(csv)) // what the disk does not take need not be computed
+            return false;
     }
     return true;
 }
@@ -168,10 +160,10 @@ bool run(World* world, const RunOptions* options, Fault* fault) {
     for (int k = 0; k < line.outputs; k++)
         line.output[k] = (double)NAN;
     session_compare(&session, options->ghost);
-    bool good = !options->csv || (csv = open_out(options->csv, fault)) != NULL;
+    bool good = !options->csv || (csv = stream_create(options->csv, fault)) != NULL;
     good = good && simulate(&session, options, csv, &spent, &line, fault);
     if (csv) // rows before a blowup are valid
-        good = close_out(csv, options->csv, fault) && good;
+        good = stream_close(csv, options->csv, fault) && good;
     if (good && options->obj)
         good = write_skins(world, options->obj, fault);
     const double simulated = world->blowup.halted ? world_time(world) : options->seconds;
@@ -186,6 +178,5 @@ bool run(World* world, const RunOptions* options, Fault* fault) {
     if (options->report)
         print_report(world, good, spent, &line);
     free(line.output);
-    session_close(&session);
-    return good;
+    return session_close(&session, fault) && good;
 }

@@ -4,6 +4,9 @@
 
 #include "show/ghost.h"
 
+/// The first line of a file of skins.
+#define RUN_OBJ_MARK "# skins by balloon\n"
+
 typedef struct RunOptions {
     double seconds;     ///< simulated [s]
     double fps;         ///< rows of the CSV per simulated second

@@ -3,17 +3,35 @@
 #include <errno.h>
 #include <string.h>
 
+#include "base/stream.h"
 #include "world/command.h"
+
+/// The present scene's log: record, record.2, record.3, …
+static void log_name(const Session* session, char file[1024]) {
+    if (session->scenes == 1)
+        snprintf(file, 1024, "%s", session->record);
+    else
+        snprintf(file, 1024, "%s.%d", session->record, session->scenes);
+}
+
+static bool end_log(Session* session, Fault* fault) {
+    if (!session->log)
+        return true;
+    char file[1024];
+    log_name(session, file);
+    fprintf(session->log, "# %ld steps of %.17g s, hash %016llx\n", session->world->clock,
+            session->world->step, (unsigned long long)world_hash(session->world));
+    FILE* log = session->log;
+    session->log = NULL;
+    return stream_close(log, file, fault);
+}
 
 static bool begin_log(Session* session, Fault* fault) {
     session->scenes++;
     if (!session->record)
         return true;
     char file[1024];
-    if (session->scenes == 1)
-        snprintf(file, sizeof file, "%s", session->record);
-    else
-        snprintf(file, sizeof file, "%s.%d", session->record, session->scenes);
+    log_name(session, file);
     session->log = fopen(file, "w");
     if (!session->log)
         return fault_set(fault, file, "this input log cannot be written: %s", strerror(errno));
@@ -21,22 +39,17 @@ static bool begin_log(Session* session, Fault* fault) {
     // line buffered, so that after a crash the log is complete
     setvbuf(session->log, NULL, _IOLBF, BUFSIZ);
     record_title(session->world->def.file, session->log);
-    return true;
+    if (!ferror(session->log))
+        return true;
+    fault_set(fault, file, "this input log cannot be written: %s", strerror(errno));
+    return end_log(session, fault);
 }
 
-static void end_log(Session* session) {
-    if (!session->log)
-        return;
-    fprintf(session->log, "# %ld steps of %.17g s, hash %016llx\n", session->world->clock,
-            session->world->step, (unsigned long long)world_hash(session->world));
-    fclose(session->log);
-    session->log = NULL;
-}
-
-void session_close(Session* session) {
-    end_log(session);
+bool session_close(Session* session, Fault* fault) {
+    const bool whole = end_log(session, fault);
     record_free(&session->replay);
     record_free(&session->made);
+    return whole;
 }
 
 bool session_open(Session* session, World* world, const char* input, const char* record,
@@ -44,7 +57,7 @@ bool session_open(Session* session, World* world, const char* input, const char*
     *session = (Session){.world = world, .record = record};
     if ((!input || record_load(input, &session->replay, fault)) && begin_log(session, fault))
         return true;
-    session_close(session);
+    session_close(session, fault);
     return false;
 }
 
@@ -86,7 +99,7 @@ bool session_step(Session* session, Fault* fault) {
 }
 
 bool session_change(Session* session, World* next, const char* how, Fault* fault) {
-    session_close(session);
+    const bool whole = session_close(session, fault);
     world_close(session->world);
     *session->world = *next;
     *next = (World){0};
@@ -94,5 +107,5 @@ bool session_change(Session* session, World* next, const char* how, Fault* fault
         return false;
     if (session->log && how)
         fprintf(session->log, "# %s\n", how);
-    return true;
+    return whole;
 }

@@ -37,7 +37,8 @@ bool session_step(Session* session, Fault* fault);
 /// how: a comment for that log that names the scene's overrides, or NULL.
 bool session_change(Session* session, World* next, const char* how, Fault* fault);
 
-/// End the log with the number of steps and the hash of the state.
-void session_close(Session* session);
+/// End the log with the number of steps and the hash of the state. False if the log could not be
+/// written to its end.
+bool session_close(Session* session, Fault* fault);
 
 #endif

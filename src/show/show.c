@@ -3,6 +3,7 @@
 #include <limits.h>
 #include <math.h>
 
+#include "base/interrupt.h"
 #include "show/app.h"
 
 // Pacer.frame_max of a window: after an interruption the simulation continues without a jump. [s]
@@ -21,7 +22,7 @@ bool show_play(World* world, const ShowOptions* options, Fault* fault) {
     if (!app_begin(&app, world, fault))
         return false;
     if (!output_window(&app.output, "balloon", options->width, options->height, fault)) {
-        session_close(&app.session);
+        session_close(&app.session, fault);
         return false;
     }
 
@@ -37,7 +38,9 @@ bool show_play(World* world, const ShowOptions* options, Fault* fault) {
 /// Steps between the last frame and the end.
 static bool finish(App* app, double seconds, Fault* fault) {
     while (app->world->clock < pacer_steps(seconds, app->world->step))
-        if (!session_step(&app->session, fault))
+        if (interrupt_signal())
+            return interrupt_fault(app->world->def.file, world_time(app->world), fault);
+        else if (!session_step(&app->session, fault))
             return false;
     return true;
 }
@@ -56,7 +59,7 @@ bool show_render(World* world, const ShowOptions* options, Fault* fault) {
     if (!app_begin(&app, world, fault))
         return false;
     if (!output_frames(&app.output, &frames, fault)) {
-        session_close(&app.session);
+        session_close(&app.session, fault);
         return false;
     }
 

@@ -45,8 +45,14 @@ static bool spawn(Video* video, char* const* arguments, int input, Fault* fault)
     posix_spawn_file_actions_adddup2(&actions, fileno(video->messages), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, fileno(video->messages), STDERR_FILENO);
 
+    // in a group of its own: Ctrl-C is for us, who end or remove the film
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+
     pid_t process = 0;
-    const int error = posix_spawnp(&process, "ffmpeg", &actions, NULL, arguments, environ);
+    const int error = posix_spawnp(&process, "ffmpeg", &actions, &attributes, arguments, environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (error == ENOENT)
         return fault_set(fault, video->file,

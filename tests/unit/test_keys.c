@@ -73,14 +73,14 @@ static void a_session_is_replayed_to_the_same_bits(void** state) {
     step(&session, 30);
     key(&session, "deflate", false);
     step(&session, 20);
-    session_close(&session);
+    assert_true(session_close(&session, &fault));
     const uint64_t want = world_hash(&world);
     world_close(&world);
 
     WORLD_OF(&world, "tether");
     assert_true(session_open(&session, &world, record, NULL, &fault));
     step(&session, 100);
-    session_close(&session);
+    assert_true(session_close(&session, &fault));
     assert_true(world_hash(&world) == want);
     world_close(&world);
 }
@@ -100,7 +100,7 @@ static void another_scene_gets_a_log_of_its_own(void** state) {
     assert_int_equal(world.balloon[0].mesh.point_count, 8);
     key(&session, "inflate", true);
     step(&session, 2);
-    session_close(&session);
+    assert_true(session_close(&session, &fault));
     world_close(&world);
 
     Record read;
@@ -225,7 +225,7 @@ static void a_ball_waits_until_the_one_before_has_left(void** state) {
     assert_false(aim(&aimer, 0.1f, 0.1f, thrown));
     step(&session, 2 + (int)(2 * aimer.thrower.radius / aimer.thrower.speed / aimer.world.step));
     assert_true(aim(&aimer, 0.1f, 0.1f, thrown));
-    session_close(&session);
+    assert_true(session_close(&session, &fault));
     world_close(&aimer.world);
 }
 
@@ -278,7 +278,7 @@ static void a_throw_is_logged_and_replayed_to_the_same_bits(void** state) {
     assert_true(aim(&aimer, 0.45f, 0.55f, thrown));
     assert_true(session_throw(&session, thrown, &fault));
     step(&session, 60);
-    session_close(&session);
+    assert_true(session_close(&session, &fault));
     assert_int_equal(aimer.world.contacts.sphere_count, 2);
     const uint64_t want = world_hash(&aimer.world);
     world_close(&aimer.world);
@@ -295,7 +295,7 @@ static void a_throw_is_logged_and_replayed_to_the_same_bits(void** state) {
     WORLD_OF(&world, "tether");
     assert_true(session_open(&session, &world, record, NULL, &fault));
     step(&session, 100);
-    session_close(&session);
+    assert_true(session_close(&session, &fault));
     assert_true(world_hash(&world) == want);
     world_close(&world);
 }

@@ -290,4 +290,22 @@ leave
 ok "a window with --seconds ends by itself" test $status = 0
 ok "where a run ends" test "$(cat "$scratch/hash")" = \
     "$("$balloon" run "${scene[@]}" --seconds 0.1 --hash --quiet)"
+
+# --- a signal, and a display that goes away: the log is whole
+end_logged() { tail -n 1 "$scratch/log" | grep -q hash; }
+start --record log
+until_true is_open
+kill -TERM "$player"
+leave
+ok "a request to end is obeyed" test $status = 143
+ok "and the log has its end" end_logged
+start --record log
+until_true is_open
+kill -KILL "$xvfb"
+wait "$xvfb" 2>/dev/null
+xvfb=''
+leave
+ok "a display that goes away ends it" test $status = 1
+ok "which is said" grep -q "the display went away" "$scratch/said"
+ok "and the log has its end" end_logged
 finish

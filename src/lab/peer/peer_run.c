@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/clock.h"
+#include "base/interrupt.h"
 #include "base/memory.h"
 #include "force/inflation.h"
 #include "lab/run/report_line.h"
@@ -124,7 +125,7 @@ static long steps_to(double time, double h) {
 /// Step the peer and the world's clock until `until` steps are done or the state is bad.
 static void advance(Pair* pair, long until) {
     World* world = pair->world;
-    while (world->step_count < until && !is_bad(pair)) {
+    while (world->step_count < until && !is_bad(pair) && !interrupt_signal()) {
         balloon_fill(&world->balloon[0], (double)(world->step_count + 1) * world->step);
         step(pair, inflation_pressure(&world->balloon[0].body), world->step);
         world->step_count++;
@@ -142,6 +143,11 @@ static void print_report(const World* world, bool ended, double spent) {
     report_line_print(&line, stdout);
 }
 
+static void write_row(const World* world, FILE* csv) {
+    probe_csv_row(world, csv);
+    fputc('\n', csv);
+}
+
 bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
     const PeerLinks links = peer_fit(world, &options->fit);
     if (!options->quiet)
@@ -153,14 +159,12 @@ bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
     if (csv) {
         probe_csv_header(world, csv);
         fputc('\n', csv);
-        probe_csv_row(world, csv);
-        fputc('\n', csv);
+        write_row(world, csv);
     }
-    for (long k = 1; k <= rows + 1 && !is_bad(&pair); k++) {
+    for (long k = 1; k <= rows + 1 && !is_bad(&pair) && !interrupt_signal(); k++) {
         advance(&pair, k <= rows ? steps_to((double)k / options->fps, world->step) : steps);
-        if (csv && k <= rows && !is_bad(&pair))
-            probe_csv_row(world, csv);
-        fputc('\n', csv);
+        if (csv && k <= rows && !is_bad(&pair) && !interrupt_signal())
+            write_row(world, csv);
     }
     const bool bad = is_bad(&pair);
     if (options->time)
@@ -169,6 +173,8 @@ bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
     if (options->report)
         print_report(world, !bad, pair.spent);
     peer_close(pair.peer);
+    if (interrupt_signal())
+        return interrupt_fault(world->def.file, world_time(world), fault);
     return !bad || fault_set(fault, world->def.file, "Bullet's soft body went bad in step %ld",
                              world->step_count);
 }
