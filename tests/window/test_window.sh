@@ -53,7 +53,7 @@ ok "a display opens" open_display
 [ -n "$xvfb" ] || { finish; exit 1; }
 
 # a red balloon that grows fast while the key is held, in air so thick that it does not swing
-scene=(tether --set balloons.0.inflation.rate=15 --set balloons.0.inflation.most=30
+scene=(tether --set balloons.0.inflation.rate=15 --set balloons.0.inflation.max=30
     --set 'balloons.0.color=[0.9,0.1,0.1]' --set balloons.0.damping.coefficient=0.2)
 
 window() { # the id of the program's window, once it is there
