@@ -100,8 +100,8 @@ static LabCell cell_of(int verdict) {
 
 static void fill_map(const Map* map, LabMap* panel) {
     for (int r = 0; r < MAP_ROWS; r++) {
-        panel->theory[r] = (float)map_place(map, map->theory[r]);
-        panel->bound[r] = (float)map_place(map, map->bound[r]);
+        panel->theory[r] = (float)map_position(map, map->theory[r]);
+        panel->bound[r] = (float)map_position(map, map->bound[r]);
         for (int c = 0; c < MAP_COLUMNS; c++)
             panel->cell[r][c] = cell_of(map->cell[r][c]);
     }

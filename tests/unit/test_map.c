@@ -51,7 +51,7 @@ static void theory_is_that_of_the_stiffened_skin(void** state) {
     for (int r = 0; r < MAP_ROWS; r++) {
         const double w2 = 221899.946 * map_stiffness(r);
         assert_close(map.theory[r], (sqrt(200 * 200 + 4 * w2) - 200) / w2, 1e-4);
-        assert_near(map_place(&map, map_step(&map, r)), r, 1e-9);
+        assert_near(map_position(&map, map_step(&map, r)), r, 1e-9);
     }
     map_end(&map);
     world_close(&world);
@@ -63,7 +63,7 @@ static void the_scenes_own_row_comes_first(void** state) {
     Map map;
     WORLD_OF(&world, "limit-springs");
     map_begin(&map, &world, NULL, 0);
-    while (map.turn == 0 && map_work(&map))
+    while (map.rows_done == 0 && map_work(&map))
         ;
     for (int r = 0; r < MAP_ROWS; r++)
         for (int c = 0; c < MAP_COLUMNS; c++)

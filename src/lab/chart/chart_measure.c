@@ -8,22 +8,22 @@
 
 enum { SIDE_BY_SIDE = 2, TIMES = 3 };
 
-/// Relative, but where the truth is 0.
+/// The relative error, or the absolute one if the truth is 0.
 static double error_of(double measured, double truth) {
     return truth == 0 ? fabs(measured) : fabs(measured - truth) / fabs(truth);
 }
 
 static void take(ChartPoint* point, const Report* report) {
     point->stable = report->ended;
-    point->parts = report->substeps;
+    point->substeps = report->substeps;
     point->measured =
         report->ended ? point->measure->measured(report, point->measure->at) : (double)NAN;
     point->error = error_of(point->measured, point->truth);
     snprintf(point->hash, sizeof point->hash, "%s", report->hash[0] ? report->hash : "-");
 }
 
-/// What no step at all would give, 2 m(h/2) - m(h), of two methods of order 1: the first's is the
-/// truth, and how far the second's is off is what is not known of it.
+/// Richardson extrapolation to h = 0 of two methods of order 1, 2 m(h/2) - m(h): the first method
+/// gives the truth, its difference from the second gives the truth's error.
 static void take_references(ChartPlan* plan) {
     for (int r = 0; r < plan->references; r += CHART_REFERENCES) {
         for (int p = 0; p < plan->points; p++) {
@@ -43,7 +43,7 @@ static void take_references(ChartPlan* plan) {
     }
 }
 
-/// What the first runs say, in every column but the times.
+/// Read all columns but the times from the first runs.
 static void take_errors(ChartPlan* plan) {
     for (int k = 0; k < plan->launches; k++) {
         Report report;
@@ -55,8 +55,8 @@ static void take_errors(ChartPlan* plan) {
     }
 }
 
-/// Times of one round, ms[k * TIMES + round]. A run that ends in another state than its first is a
-/// bug, and no time of it is worth anything.
+/// Times of one round, ms[k * TIMES + round]. A run that ends in another state than its first run is
+/// a bug.
 static bool take_times(const ChartPlan* plan, int round, double* ms, Fault* fault) {
     for (int k = 0; k < plan->launches; k++) {
         Report report;
@@ -72,8 +72,8 @@ static bool take_times(const ChartPlan* plan, int round, double* ms, Fault* faul
     return !fault->text[0];
 }
 
-/// No other point of its name, or of its line too, is cheaper and not farther off; what stands
-/// apart is none of the best of all.
+/// Whether no other point of its name (of_line: of its line) is cheaper with an error not larger.
+/// Points apart are not in the front of all.
 static bool is_best(const ChartPlan* plan, const ChartPoint* point, bool of_line) {
     if (!point->stable || !isfinite(point->error) || (point->apart && !of_line))
         return false;

@@ -1,4 +1,4 @@
-/// What the cases of the standard balloon share: 0.1 m, 0.3 mm of rubber of 1 MPa and 1000 kg/m^3.
+/// Shared by the cases of the standard balloon: 0.1 m, 0.3 mm of rubber of 1 MPa and 1000 kg/m^3.
 #ifndef BALLOON_LAB_CHART_CHART_SPHERE_H
 #define BALLOON_LAB_CHART_CHART_SPHERE_H
 
@@ -7,7 +7,7 @@
 #include "lab/chart/chart_case.h"
 #include "lab/truth/truth.h"
 
-/// Of the skin, 4 pi R0^2 h0 rho [kg].
+/// Mass of the skin, 4 pi R0^2 h0 rho [kg].
 #define SPHERE_MASS 0.037699111843077517
 
 /// E h of the rubber [N/m].

@@ -6,7 +6,7 @@
 #include "lab/run/machine.h"
 #include "mesh/mesh.h"
 
-static const double good_enough = 0.01; ///< the error that the summary asks for [1]
+static const double good_enough = 0.01; ///< maximum error in the summary [1]
 
 static FILE* open_in(const char* folder, const char* name, char path[512], Fault* fault) {
     snprintf(path, 512, "%s/%s", folder, name);
@@ -21,7 +21,7 @@ static bool close_whole(FILE* out, const char* path, Fault* fault) {
     return (fclose(out) == 0 && whole) || fault_set(fault, path, "cannot be written to its end");
 }
 
-/// A pair that the method refuses has nothing but its name.
+/// A point that its method refuses has only its name.
 static void write_row(const ChartPoint* p, FILE* out) {
     fprintf(out, "%s,%s,%s,%s,%d,%.17g,%s,", p->name, p->method, p->skin, p->law, p->vertices,
             p->step, p->precision);
@@ -45,7 +45,7 @@ static bool write_csv(const ChartPlan* plan, const char* folder, Fault* fault) {
     return close_whole(out, path, fault);
 }
 
-/// Rising in cost, so that they can be joined by a line.
+/// In order of cost, so that a line can join them.
 static void write_front(const ChartPlan* plan, int from, int of_line, FILE* out) {
     const ChartPoint* first = &plan->point[from];
     double last = -1;
@@ -87,7 +87,7 @@ static bool write_fronts(const ChartPlan* plan, const char* folder, Fault* fault
     return close_whole(out, path, fault);
 }
 
-/// The cheapest point below an error, of the peer or of ours; NULL: none.
+/// The cheapest point up to an error, of the peer or of our methods; NULL: none.
 static const ChartPoint* cheapest(const ChartPlan* plan, int from, bool peer, double error) {
     const ChartPoint* best = NULL;
     for (int p = from; p < chart_end(plan, from); p++) {
@@ -99,8 +99,8 @@ static const ChartPoint* cheapest(const ChartPlan* plan, int from, bool peer, do
     return best;
 }
 
-/// The least error of the peer or of ours, INFINITY where there is none.
-static double least_error(const ChartPlan* plan, int from, bool peer) {
+/// The smallest error of the peer or of our methods; INFINITY: none.
+static double min_error(const ChartPlan* plan, int from, bool peer) {
     double least = INFINITY;
     for (int p = from; p < chart_end(plan, from); p++)
         if (plan->point[p].stable && !plan->point[p].apart &&
@@ -126,7 +126,7 @@ static void write_best(const ChartPoint* point, FILE* out) {
         fprintf(out, "- | - | - |");
 }
 
-/// For each scene the cheapest below 1 %, or what comes nearest, and the peer at its best.
+/// For each scene the cheapest point below 1 %, or the most accurate one, and the peer's best.
 static void write_table(const ChartPlan* plan, FILE* out) {
     fprintf(out,
             "| | scene | measured | cheapest below 1 %% error | ms per s | error | Bullet's best "
@@ -134,11 +134,11 @@ static void write_table(const ChartPlan* plan, FILE* out) {
     for (int from = 0; from < plan->points; from = chart_end(plan, from)) {
         const ChartPoint* first = &plan->point[from];
         const ChartPoint* ours = cheapest(plan, from, false, good_enough);
-        const ChartPoint* peer = cheapest(plan, from, true, least_error(plan, from, true));
+        const ChartPoint* peer = cheapest(plan, from, true, min_error(plan, from, true));
         fprintf(out, "| %s | %s | %s | ", first->chart->letter, first->name, first->measure->about);
         if (!ours)
             fprintf(out, "none; nearest: ");
-        write_best(ours ? ours : cheapest(plan, from, false, least_error(plan, from, false)), out);
+        write_best(ours ? ours : cheapest(plan, from, false, min_error(plan, from, false)), out);
         if (peer) {
             fprintf(out, " ");
             write_error(peer, out);

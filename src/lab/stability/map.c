@@ -8,10 +8,10 @@
 #include "base/memory.h"
 #include "force/force.h"
 
-/// A step that newton solves takes too long of a frame above this, and theory knows no limit of it.
-enum { SOLVED_MOST = 700 }; ///< [particles]
+/// Above this, a step of an implicit method takes too long for a frame. [particles]
+enum { MAX_SOLVED = 700 };
 
-/// Steps of one part, of a method that solves nothing.
+/// Steps of one part, of a method that does not iterate.
 enum { PART = 64 };
 
 static void keep_near(Map* map, const real4* x, int count) {
@@ -37,11 +37,11 @@ void map_begin(Map* map, const World* world, const SceneSet* set, int set_count)
         snprintf(map->why, sizeof map->why, "%s", fault.text);
     else if (balloon->def->inflation && !balloon->mesh.closed)
         snprintf(map->why, sizeof map->why, "an open skin that is blown has no rest");
-    else if (world->method->can_fail && balloon->body.count > SOLVED_MOST)
+    else if (world->method->can_fail && balloon->body.count > MAX_SOLVED)
         snprintf(map->why, sizeof map->why, "%s: no map above %d particles", world->method->name,
-                 SOLVED_MOST);
+                 MAX_SOLVED);
     if (map->why[0])
-        map->turn = MAP_ROWS;
+        map->rows_done = MAP_ROWS;
 }
 
 double map_step(const Map* map, int column) {
@@ -52,7 +52,7 @@ double map_stiffness(int row) {
     return pow(2, row - MAP_OWN_ROW);
 }
 
-double map_place(const Map* map, double step) {
+double map_position(const Map* map, double step) {
     return MAP_OWN_COLUMN + 2 * log2(step / map->def.step);
 }
 
@@ -89,12 +89,12 @@ static void stiffen(const Map* map, double factor, MapSets* sets) {
         add(sets, "balloons.0.skin.springs.torsion=%.17g", factor * springs->torsion);
 }
 
-/// 4, 5, 3, 6, 2, …: the scene's own first.
-static int row_of(int turn) {
-    return MAP_OWN_ROW + (turn % 2 ? (turn + 1) / 2 : -turn / 2);
+/// The order of rows, 4, 5, 3, 6, 2, …: the scene's own first.
+static int row_of(int k) {
+    return MAP_OWN_ROW + (k % 2 ? (k + 1) / 2 : -k / 2);
 }
 
-/// Nothing but skin, gas and damping, awake.
+/// Remove everything but skin, gas and damping; the balloon never falls asleep.
 static void strip(const Map* map, MapSets* sets) {
     const BalloonDef* balloon = &map->def.balloons[0];
     add(sets, "guard='off'");
@@ -110,7 +110,7 @@ static void strip(const Map* map, MapSets* sets) {
         add(sets, "balloons.0.strain_limit=~");
     if (!balloon->inflation)
         return;
-    const double factor = map_stiffness(row_of(map->turn));
+    const double factor = map_stiffness(row_of(map->rows_done));
     if (balloon->inflation->law != INFLATE_GAS)
         add(sets, "balloons.0.inflation={law: pressure, amount: %.17g}", factor * map->pressure);
     else {
@@ -137,7 +137,7 @@ static bool open_row(Map* map, Fault* fault) {
     WorldDef calm, def;
     begin_sets(map, &sets);
     strip(map, &sets);
-    stiffen(map, map_stiffness(row_of(map->turn)), &sets);
+    stiffen(map, map_stiffness(row_of(map->rows_done)), &sets);
     if (!load(map, &sets, &def, fault))
         return false;
     add(&sets, "method=%s", method_newton.name);
@@ -155,24 +155,24 @@ static bool open_row(Map* map, Fault* fault) {
 }
 
 static void close_row(Map* map) {
-    if (map->measures)
+    if (map->is_open)
         trial_close(&map->trial);
-    map->measures = map->ready = map->running = false;
+    map->is_open = map->at_rest = map->running = false;
     map->column = 0;
-    map->turn++;
+    map->rows_done++;
 }
 
-/// One part of the way to a trial at rest.
+/// One part of the preparation of a trial.
 static void prepare(Map* map) {
     Fault fault = {0};
     bool good = true;
-    if (!map->measures)
-        good = map->measures = open_row(map, &fault);
+    if (!map->is_open)
+        good = map->is_open = open_row(map, &fault);
     else
-        good = trial_prepare(&map->trial, &map->ready, &fault);
-    if (map->ready) {
-        map->theory[row_of(map->turn)] = trial_theory(&map->trial);
-        map->bound[row_of(map->turn)] = trial_bound(&map->trial);
+        good = trial_prepare(&map->trial, &map->at_rest, &fault);
+    if (map->at_rest) {
+        map->theory[row_of(map->rows_done)] = trial_theory(&map->trial);
+        map->bound[row_of(map->rows_done)] = trial_bound(&map->trial);
         keep_near(map, map->trial.rest, map->trial.world.balloon[0].body.count);
     }
     if (good)
@@ -182,9 +182,9 @@ static void prepare(Map* map) {
 }
 
 bool map_work(Map* map) {
-    if (map->turn == MAP_ROWS)
+    if (map->rows_done == MAP_ROWS)
         return false;
-    if (!map->ready) {
+    if (!map->at_rest) {
         prepare(map);
         return true;
     }
@@ -196,7 +196,7 @@ bool map_work(Map* map) {
     map->running = !trial_follow(&map->trial, steps, &verdict, &growth);
     if (map->running)
         return true;
-    map->cell[row_of(map->turn)][map->column++] = (int)verdict;
+    map->cell[row_of(map->rows_done)][map->column++] = (int)verdict;
     if (map->column == MAP_COLUMNS)
         close_row(map);
     return true;
@@ -210,7 +210,7 @@ void map_sets(const Map* map, int row, int column, MapSets* sets) {
 }
 
 void map_end(Map* map) {
-    if (map->measures)
+    if (map->is_open)
         trial_close(&map->trial);
     scene_free(&map->def);
     free(map->near);

@@ -1,11 +1,10 @@
-/// A map of where a scene's step fails: of its first balloon alone, by its method, over steps and
-/// stiffnesses about the scene's own. Measured cell by cell, in parts, for who has frames to draw.
+/// A map of stable steps: of a scene's first balloon alone, by its method, over steps and stiffnesses
+/// around the scene's own. It is measured cell by cell in small parts, between frames.
 ///
-/// Each cell is a trial (lab/stability/trial.h), as those of `balloon stability` are: the balloon without
-/// gravity, strings, helium and strain limit is brought to rest and pushed. It holds the gas that it
-/// has now, or, where its law is another, a pressure that grows with the stiffness from the present
-/// one, so that its size stays. Upright is the stiffness of the whole skin, in powers of two of the
-/// scene's.
+/// Each cell is a trial (lab/stability/trial.h), as in `balloon stability`: the balloon without
+/// gravity, strings, helium and strain limit is brought to rest and perturbed. It holds its present
+/// amount of gas or, under another inflation law, the present pressure times the factor of stiffness,
+/// so that its size stays. Rows multiply the stiffness of the whole skin by powers of two.
 #ifndef BALLOON_LAB_STABILITY_MAP_H
 #define BALLOON_LAB_STABILITY_MAP_H
 
@@ -18,23 +17,23 @@ enum {
     MAP_OWN_COLUMN = 6 ///< and step
 };
 enum { MAP_SETS = 160, MAP_WORDS = 16, MAP_WORD = 96 };
-enum { MAP_UNKNOWN = -1 }; ///< not measured yet, or the state has no rest; else a Verdict
+enum { MAP_UNKNOWN = -1 }; ///< not measured yet, or the balloon has no rest; else a Verdict
 
-/// Overrides of a scene, with room for their own words.
+/// Overrides of a scene, and storage for the texts of the last ones.
 typedef struct MapSets {
     int count;
     SceneSet set[MAP_SETS];
-    int words; ///< the last of them are these
+    int words; ///< number of texts stored here
     char word[MAP_WORDS][MAP_WORD];
 } MapSets;
 
 typedef struct Map {
     WorldDef def;        ///< the scene
-    const SceneSet* set; ///< [set_count] the caller's: overrides that it has anyway
+    const SceneSet* set; ///< [set_count] the scene's own overrides, owned by the caller
     int set_count;
     double amount;   ///< of the first balloon's inflation
     double pressure; ///< gauge, on its skin
-    real4* near;     ///< [near_count] positions near rest, from which the way there is short
+    real4* near;     ///< [near_count] positions near rest, the initial guess of the next rest
     int near_count;
 
     int cell[MAP_ROWS][MAP_COLUMNS]; ///< verdicts
@@ -42,29 +41,30 @@ typedef struct Map {
     double bound[MAP_ROWS];          ///< the program's [s]
     char why[1024];                  ///< why there is no map, or not all of it
 
-    int turn;      ///< rows done, the scene's own first
-    int column;    ///< that is being measured
-    bool measures; ///< the trial is open
-    bool ready;    ///< and at rest
-    bool running;  ///< and a run has begun
+    int rows_done; ///< the scene's own row is the first
+    int column;    ///< present column
+    bool is_open;  ///< the trial is open
+    bool at_rest;  ///< the trial is prepared
+    bool running;  ///< a run has begun
     Trial trial;
 } Map;
 
-/// A map of the scene's file with these overrides, about the state of this world, which may be that
-/// of a cell; nothing is measured yet.
+/// Begin a map of the scene with these overrides; the world's present state gives gas and pressure.
+/// Nothing is measured yet.
 void map_begin(Map* map, const World* world, const SceneSet* set, int set_count);
 
-/// Measure one part: some steps, one where a method solves them. False when all is done.
+/// Measure one part: one step of an iterative method, several of others. False: the map is complete.
 bool map_work(Map* map);
 
 /// Step and stiffness of a cell, the latter over the scene's own.
 double map_step(const Map* map, int column); ///< [s]
 double map_stiffness(int row);               ///< [1]
 
-/// Where a step is among the columns, 0 … MAP_COLUMNS - 1 at their middles.
-double map_place(const Map* map, double step);
+/// The position of a step on the axis of columns: k at the middle of column k.
+double map_position(const Map* map, double step);
 
-/// What makes the whole scene that of a cell, guard off; the words are what the cell adds.
+/// The overrides that give the whole scene the step and stiffness of a cell, guard off; the stored
+/// texts are those that the cell adds.
 void map_sets(const Map* map, int row, int column, MapSets* sets);
 
 void map_end(Map* map);

@@ -9,7 +9,7 @@
 #include "lab/run/plot.h"
 #include "lab/stability/trial.h"
 
-enum { KEYS_MOST = 4, DAMPINGS_MOST = 5 };
+enum { MAX_KEYS = 4, MAX_DAMPINGS = 5 };
 
 /// An overridden key: its value is `value` times the axis', or the text as it is.
 typedef struct Key {
@@ -22,7 +22,7 @@ typedef struct Key {
 typedef struct MapCase {
     const char* scene;
     const char* axis; ///< label
-    Key key[KEYS_MOST];
+    Key key[MAX_KEYS];
     bool logarithmic;
     double low, high; ///< of the axis
     int rows, quick_rows;
@@ -34,8 +34,8 @@ typedef struct MapCase {
 typedef struct LimitCase {
     const char* name;
     const char* scene;
-    Key key[KEYS_MOST];
-    double damping[DAMPINGS_MOST]; ///< coefficient, the first may be 0 [kg/s]
+    Key key[MAX_KEYS];
+    double damping[MAX_DAMPINGS]; ///< coefficient, the first may be 0 [kg/s]
     int dampings;
     bool fine; ///< not in a quick run
 } LimitCase;
@@ -75,10 +75,10 @@ static void say(const char* what, const char* scene, const char* method) {
 /// The keys at a value of the axis, and the damping unless it is less than 0.
 static bool open_at(Trial* trial, const char* scene, const Key* key, double value, double damping,
                     const Method* method, const char** refused, Fault* fault) {
-    char word[KEYS_MOST + 1][96];
-    SceneSet set[KEYS_MOST + 1];
+    char word[MAX_KEYS + 1][96];
+    SceneSet set[MAX_KEYS + 1];
     int count = 0;
-    for (; count < KEYS_MOST && key[count].key; count++)
+    for (; count < MAX_KEYS && key[count].key; count++)
         if (key[count].text)
             snprintf(word[count], sizeof *word, "%s=%s", key[count].key, key[count].text);
         else

@@ -22,19 +22,19 @@ static const double explosion = 10; ///< [first energy]
 static const double beyond = 1e4;
 
 // --- of the measurement ---
-/// What still moves in a long step is at rest; of float, more than its rounding. [push]
+/// A balloon that moves less in a long step is at rest; for float above its rounding. [push]
 static const double still = sizeof(real) == sizeof(double) ? 1e-4 : 5e-2;
-/// Every mode has more than this of the first energy: what is left then decays too. [1]
+/// Every mode has a larger share of the first energy, so below this all modes have decayed. [1]
 static const double spent = 1e-4;
-/// Growth of ln e in the fitted half that is not told from zero, and the part of its variance that
-/// a line must explain: undamped modes beat without growing. [1]
+/// Growth of ln e in the fitted half that counts as zero, and the share of the variance that the line
+/// must explain (R^2): undamped modes beat without growing. [1]
 static const double told = 0.1, line = 0.5;
-/// [steps] of a run that looks for the limit. Damped, the fastest mode leaves the unit circle in
-/// proportion to what the step is too long by (`forward`: a hundredth of gamma h for each per
-/// cent); undamped, with its square root.
+/// Steps of a run in the search for the limit. With damping, the distance of the eigenvalue outside
+/// the unit circle is proportional to the excess of the step (`forward`: gamma h / 100 for each
+/// percent); without damping, to its square root.
 enum { DAMPED_STEPS = 40000, UNDAMPED_STEPS = 4000, SAMPLE_EVERY = 10 };
 
-enum { RELAX_MOST = 400, ROUNDS_MOST = 4000, ROUNDS = 64, SETS_MOST = 16 };
+enum { MAX_RELAX = 400, MAX_ROUNDS = 4000, ROUNDS = 64, MAX_SETS = 16 };
 
 static double potential(const Body* body) {
     double sum = 0;
@@ -54,18 +54,18 @@ static double kinetic(const Body* body) {
 static bool load(WorldDef* def, const char* scene, const SceneSet* set, int set_count,
                  const char* method, Fault* fault) {
     char word[64];
-    SceneSet all[SETS_MOST + 4] = {{"guard='off'"}, {"gravity=0"}, {"solver.tolerance=1e-12"}};
+    SceneSet all[MAX_SETS + 4] = {{"guard='off'"}, {"gravity=0"}, {"solver.tolerance=1e-12"}};
     snprintf(word, sizeof word, "method=%s", method);
     int count = 3;
     all[count++].text = word;
-    ASSERT(set_count <= SETS_MOST, "more overrides than a case of the lab has");
+    ASSERT(set_count <= MAX_SETS, "more overrides than a case of the lab has");
     for (int k = 0; k < set_count; k++)
         all[count++] = set[k];
     return scene_load(scene, all, count, def, fault);
 }
 
-/// A long step of backward Euler from rest, so that not even a spin is left: the world comes to
-/// where no net force is left.
+/// Relaxation: a long step of backward Euler, then all velocities are set to zero, until the net
+/// forces vanish.
 static bool relax(Trial* trial, Fault* fault) {
     World* world = &trial->calm;
     const Body* body = &world->balloon[0].body;
@@ -76,7 +76,7 @@ static bool relax(Trial* trial, Fault* fault) {
         most = fmax(most, (double)length(body->v[i]));
     memset(body->v, 0, (size_t)body->count * sizeof *body->v);
     trial->rested = most * world->step <= still * push_size * body->size;
-    if (trial->rested || (++trial->done < RELAX_MOST && !world->blowup.halted))
+    if (trial->rested || (++trial->done < MAX_RELAX && !world->blowup.halted))
         return true;
     return fault_set(fault, world->def.file, "the balloon does not come to rest");
 }
@@ -95,8 +95,8 @@ static void begin_fastest(Trial* trial) {
     trial->done = 0;
 }
 
-/// Largest eigenvalue of M^-1 K at the present positions: a round of power iteration. True when it
-/// stands still.
+/// A round of power iteration for the largest eigenvalue of M^-1 K at the present positions. True:
+/// it has converged.
 static bool fastest(Trial* trial) {
     const Body* body = &trial->calm.balloon[0].body;
     real4 *mode = trial->mode, *image = trial->image;
@@ -112,7 +112,7 @@ static bool fastest(Trial* trial) {
         trial->w2 += ddot(to_double4(mode[i]), to_double4(image[i]));
         mode[i] = image[i] * body->inverse_mass[i];
     }
-    return ++trial->done == ROUNDS_MOST || !(fabs(trial->w2 - last) > 1e-14 * trial->w2);
+    return ++trial->done == MAX_ROUNDS || !(fabs(trial->w2 - last) > 1e-14 * trial->w2);
 }
 
 static void end_preparation(Trial* trial) {
@@ -208,7 +208,7 @@ static void fit_add(TrialFit* fit, double n, double y) {
     fit->ny += n * y;
 }
 
-/// Slope of the line, and the part of the points' variance that it explains.
+/// Slope of the line, and the share of the points' variance that it explains (R^2).
 static double fit_slope(const TrialFit* fit, double* explained) {
     const double nn = fit->count * fit->n2 - fit->n * fit->n,
                  yy = fit->count * fit->y2 - fit->y * fit->y,
@@ -217,18 +217,18 @@ static double fit_slope(const TrialFit* fit, double* explained) {
     return ny / nn;
 }
 
-static double given(const Trial* trial) {
+static double perturbation_energy(const Trial* trial) {
     const Body* body = &trial->world.balloon[0].body;
     return kinetic(body) + potential(body) - trial->potential;
 }
 
-static void start(Trial* trial, double h, int steps, double most) {
+static void start(Trial* trial, double h, int steps, double max) {
     push(trial, h);
     trial->h = h;
     trial->steps = steps;
-    trial->most = most;
+    trial->max = max;
     trial->made = 0;
-    trial->first = given(trial);
+    trial->first = perturbation_energy(trial);
     trial->later = (TrialFit){0};
 }
 
@@ -236,7 +236,7 @@ void trial_start(Trial* trial, double h) {
     start(trial, h, TRIAL_STEPS, explosion);
 }
 
-/// Follow the energy to `most` times what it was at first.
+/// Step until the energy has grown by the factor `max`, has decayed, or the run ends.
 bool trial_follow(Trial* trial, int steps, Verdict* verdict, double* growth) {
     World* world = &trial->world;
     const double first = trial->first, h = trial->h;
@@ -245,8 +245,8 @@ bool trial_follow(Trial* trial, int steps, Verdict* verdict, double* growth) {
         const int n = ++trial->made;
         if (n % SAMPLE_EVERY && !world->blowup.halted)
             continue;
-        const double now = given(trial);
-        const bool grown = world->blowup.halted || !(now < trial->most * first);
+        const double now = perturbation_energy(trial);
+        const bool grown = world->blowup.halted || !(now < trial->max * first);
         if (grown || now < spent * first) {
             *growth = log(fabs(now / first)) / (n * h);
             *verdict = grown ? VERDICT_EXPLODED : VERDICT_STABLE;

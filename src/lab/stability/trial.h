@@ -1,15 +1,17 @@
-/// One balloon at rest, pushed a little and left to a method: does what was given to it grow?
+/// A stability experiment: one balloon at rest is perturbed and stepped by a method; does the energy
+/// of the perturbation grow?
 ///
-/// A trial holds a shipped scene without gravity, the guard off, brought to rest. A run starts from
-/// that rest, moves every particle at random by up to 1e-6 of the balloon's size, and follows the
-/// energy of what was given,
+/// A trial is a scene without gravity, the guard off, brought to rest. A run starts from that rest,
+/// moves every particle at random by up to 1e-6 of the balloon's size, and records the energy of the
+/// perturbation,
 ///
 ///     e = kinetic + potential - potential at rest                                          [J]
 ///
-/// Where something damps, every particle gets a velocity too, 1e-6 of size times the fastest
-/// frequency: past 2/gamma rigid motion is the first to fail. Where nothing damps it gets none, for
-/// what meets no force, as rigid motion and folds of an empty skin, would drift far and be neutral
-/// in theory. The constants of the definition and of the measurement stand in trial.c.
+/// With damping, every particle also gets a random velocity of up to 1e-6 of size times the highest
+/// frequency, because above h = 2/gamma rigid motion is the first to become unstable. Without damping
+/// it gets none: modes without a restoring force, such as rigid motion and folds of an empty skin,
+/// would drift far, though they are neutrally stable. trial.c has the constants of the definition
+/// and of the measurement.
 #ifndef BALLOON_LAB_STABILITY_TRIAL_H
 #define BALLOON_LAB_STABILITY_TRIAL_H
 
@@ -19,14 +21,14 @@
 typedef enum Verdict {
     VERDICT_STABLE,
     VERDICT_WOBBLING, ///< the fitted growth of the energy is above zero
-    VERDICT_EXPLODED, ///< the energy has grown ten times within 2,000 steps, or the state went bad
+    VERDICT_EXPLODED, ///< the energy has grown ten times within 2,000 steps, or the state blew up
     VERDICTS
 } Verdict;
 extern const char* const verdict_name[VERDICTS];
 
-extern const double trial_precision; ///< of trial_limit [1]
+extern const double trial_precision; ///< relative precision of trial_limit [1]
 
-/// A straight line through points (n, ln e) that come one by one.
+/// Sums for a straight line fitted to points (n, ln e) by least squares.
 typedef struct TrialFit {
     double count, n, n2, y, y2, ny;
 } TrialFit;
@@ -38,21 +40,21 @@ typedef struct Trial {
     double w2;        ///< largest eigenvalue of M^-1 K at rest [1/s^2]
     double gamma;     ///< c/m [1/s]
 
-    // on the way to rest, and to the fastest frequency
+    // preparation: relaxation to rest, then power iteration for the highest frequency
     World calm;
     Tangent tangent;
     real4* mode;  ///< [count]
     real4* image; ///< [count] M^-1 K mode
     bool rested;
-    int done; ///< steps to rest, then rounds of power iteration
+    int done; ///< steps of relaxation, then rounds of power iteration
 
-    // of the present run
-    double h;     ///< its step [s]
-    double first; ///< energy given [J]
-    double most;  ///< [first energy] more is an explosion
-    int steps;    ///< in all
-    int made;     ///< of them
-    TrialFit later;
+    // the present run
+    double h;       ///< step [s]
+    double first;   ///< energy of the perturbation at the start [J]
+    double max;     ///< largest energy that is no explosion [first]
+    int steps;      ///< number of steps
+    int made;       ///< steps made
+    TrialFit later; ///< over the second half
 } Trial;
 
 /// Load the scene with overrides, bring it to rest and find its fastest frequency. A method that
@@ -60,26 +62,26 @@ typedef struct Trial {
 bool trial_open(Trial* trial, const char* scene, const SceneSet* set, int set_count,
                 const Method* method, const char** refused, Fault* fault);
 
-/// The same in parts, for who has other things to do: first only the worlds are opened, which the
-/// trial then owns, both of the same balloon: `calm` with newton, which brings it to rest, and
-/// `def` with the method; then parts, until `ready`. False with a sentence where there is no rest.
+/// The same in small parts. trial_begin opens two worlds of the same balloon, owned by the trial:
+/// `calm` with newton, for the relaxation, and `def` with the method. Then call trial_prepare until
+/// `ready`. Returns false with a fault if the balloon does not come to rest.
 bool trial_begin(Trial* trial, WorldDef* calm, WorldDef* def, Fault* fault);
 bool trial_prepare(Trial* trial, bool* ready, Fault* fault);
 
-/// A run of a step h, and at most so many steps of it: true when the verdict is certain.
+/// Start a run with step h; continue it by at most `steps` steps. True: the verdict is certain.
 void trial_start(Trial* trial, double h);
 bool trial_follow(Trial* trial, int steps, Verdict* verdict, double* growth);
 
-/// The verdict on a step h. growth: d ln e/dt over the later half of the run, by least squares, or
-/// over all of it where the verdict was certain before the end [1/s].
+/// The verdict on a step h. growth: d ln e/dt over the second half of the run, by least squares, or
+/// over all of it if the verdict was certain before the end [1/s].
 Verdict trial_run(Trial* trial, double h, double* growth);
 
-/// The largest stable step [s]: found between 1/100 and 100 times 2/w, the limit of undamped
-/// semi-implicit Euler; trial_precision times longer is not stable. 0: there is none; INFINITY: all
-/// are.
+/// The largest stable step [s], searched between 1/100 and 100 times 2/w, the limit of undamped
+/// semi-implicit Euler; a step longer by trial_precision is not stable. 0: no step is stable;
+/// INFINITY: all are.
 double trial_limit(Trial* trial);
 
-/// The method's limit for the true fastest frequency, and the bound that the program computes [s].
+/// The method's limit for the highest frequency at rest, and the bound that the program computes [s].
 double trial_theory(const Trial* trial);
 double trial_bound(Trial* trial);
 

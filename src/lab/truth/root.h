@@ -1,8 +1,8 @@
-/// Where a function of one variable is zero, to rounding.
+/// A root of a function of one variable, to rounding.
 #ifndef BALLOON_LAB_TRUTH_ROOT_H
 #define BALLOON_LAB_TRUTH_ROOT_H
 
-/// A function of x with what else it needs to know.
+/// A function of x with its parameters `self`.
 typedef double (*RootFunction)(const void* self, double x);
 
 /// The x between low and high where f changes sign, by bisection until no double lies between the

@@ -7,10 +7,10 @@
 #include "force/material.h"
 #include "mesh/measure.h"
 
-/// A mesh whose points lie on a sphere fills this much of it, unless it is a cube or as coarse. [1]
+/// Minimum volume of a mesh over that of the sphere through its points: excludes a cube. [1]
 static const double full = 0.85;
 
-/// Points of a sphere are as far from its middle as this. [R0]
+/// Tolerance of the points' distances from the center. [R0]
 static const double unround = 1e-3;
 
 /// R0 of a sphere, 0 of another shape. [unit of the mesh]
@@ -51,7 +51,7 @@ static bool rubber(const Balloon* balloon, TruthBalloon* truth) {
     return truth->law != NULL;
 }
 
-/// Triangles have no shear springs, and are another sheet.
+/// Only quads: triangles have no shear springs and form another sheet.
 static bool springs(const Balloon* balloon, TruthBalloon* truth) {
     const SpringsDef* def = balloon->def->skin.springs;
     if (!def)

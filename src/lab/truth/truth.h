@@ -1,8 +1,8 @@
-/// What the numbers must be: closed forms and computed values that a run is charted against.
+/// Closed forms and other independent solutions, with which runs are compared.
 ///
-/// Nothing here knows the simulation: only libc's mathematics, all in double, every value computed
-/// and none looked up. Roots are bisected to rounding, motions integrated until half the step
-/// changes nothing more, integrals taken by a rule that converges faster than any power.
+/// They share no code with the simulation: only libc's mathematics, in double; every value is
+/// computed. Roots are bisected to rounding, motions integrated until halving the step changes
+/// nothing, integrals computed by a rule that converges faster than any power.
 ///
 /// Files by noun: truth_law (pressure of a stretched sphere), truth_sphere (at rest and breathing),
 /// truth_radial (the moving sphere), truth_particle, truth_sheet (springs as a membrane, strings
