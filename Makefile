@@ -8,6 +8,7 @@
 # make tidy     clang-tidy with the checks of src/.clang-tidy
 # make golden   write tests/golden/hashes.csv anew, after a change of bits on purpose
 # make chart    chart speed against accuracy to out/chart, and the README files' picture and table
+# make picture  draw the picture of the lab panel, assets/lab.png, anew
 # make bench    measure and print speed, and what every shipped scene needs
 # make reference   write the scene reference (assets/scenes/README.md) anew
 # make format   rewrite the sources as clang-format has them
@@ -63,7 +64,7 @@ ONLY    ?=
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
 SCENE   ?=
 
-.PHONY: all help run test check tidy golden bench chart reference format clean install programs tests tests-syntax \
+.PHONY: all help run test check tidy golden bench chart picture reference format clean install programs tests tests-syntax \
     packages-build packages-run packages-test packages-check headers
 .DELETE_ON_ERROR:
 
@@ -130,6 +131,13 @@ chart: packages-build packages-run
 	@$(BUILD)/balloon chart --out out/chart
 	@cp out/chart/sphere-gas.png assets/chart.png
 	@sed -i -e '/^<!-- chart:/,/^<!-- end of chart/{//!d}' -e '/^<!-- chart:/r out/chart/chart.md' src/lab/README.md
+
+picture: packages-build packages-run
+	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/balloon
+	@$(BUILD)/balloon render sphere-gas --lab --overlay --time --fps 1600 --seconds 0.2 --method euler \
+	    --step 2e-4 --set "title=Four times the gas" --set balloons.0.model=icosphere:3 \
+	    --set "balloons.0.inflation.fill={to: 4, seconds: 0.15}" \
+	    --set "camera.eye=[0, 0.05, 0.8]" --out assets/lab.png
 
 reference: packages-build
 	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/balloon

@@ -12,7 +12,7 @@ namespace {
 // All in pixels at scale 1.
 constexpr float MAX_WIDTH = 300;  // of the column
 constexpr float MAX_SHARE = 0.4f; // of the column, over the picture's width
-constexpr float LABEL_WIDTH = 70; // of the plots' labels
+constexpr float LABEL_WIDTH = 78; // of the plots' labels
 constexpr float PLOT_HEIGHT = 46; // largest height of a plot
 constexpr float MIN_PLOT_HEIGHT = 14;
 constexpr float TITLE_LINES = 1.4f; // height of the title, in lines
