@@ -1,39 +1,12 @@
 /// Balloons of rubber: runs known to ten digits, closed forms of a sphere, and what must be kept.
 /// Values are of programs and formulas that share no code with this one.
-#include <fcntl.h>
-
 #include "bodies.h"
 #include "force/tangent.h"
 #include "force/inflation.h"
 #include "lab/truth/truth.h"
 #include "mesh/measure.h"
+#include "standard.h"
 #include "worlds.h"
-
-/// The standard balloon as a scene; spheres of radius 1 scaled to 0.1 m.
-#define STANDARD                                                                                   \
-    "step: 0.001\n"                                                                                \
-    "gravity: 0\n"                                                                                 \
-    "method: newton\n"                                                                             \
-    "balloons:\n"                                                                                  \
-    "  - model: icosphere:2\n"                                                                     \
-    "    scale: 0.1\n"                                                                             \
-    "    skin: {membrane: {material: neo-hookean, young: 1e6, density: 1000, thickness: 3e-4}}\n"  \
-    "    inflation: {law: gas, amount: 1}\n"                                                       \
-    "    damping: {rate: 50}\n"
-
-static char standard[64];
-
-static int write_standard(void** state) {
-    (void)state;
-    snprintf(standard, sizeof standard, "/tmp/balloon-rubber-%ld.yaml", (long)getpid());
-    const int file = open(standard, O_CREAT | O_TRUNC | O_WRONLY, 0600);
-    return file < 0 || write(file, STANDARD, sizeof STANDARD - 1) < 0 || close(file);
-}
-
-static int remove_standard(void** state) {
-    (void)state;
-    return remove(standard);
-}
 
 /// nRT = p_atm V0 (1 + 0.05 min(k, 10)) at step k = 1 … 20 of 1 ms, fully converged backward Euler.
 static void known_runs_are_met(void** state) {
@@ -287,75 +260,6 @@ static void a_thin_part_swells_more(void** state) {
     world_close(&world);
 }
 
-/// What leaves one balloon arrives in the other, and the small one empties into the big one.
-static void the_small_balloon_empties_into_the_big_one(void** state) {
-    (void)state;
-    World world;
-    WORLD_OF(&world, "two-joined");
-    const double small = world.balloon[0].body.inflation.first_volume;
-    const double big = world.balloon[1].body.inflation.first_volume;
-    const double before = 4 * small + 4 * big;
-    run_for(&world, 2);
-    const double first = probe(&world, "balloon0.amount");
-    assert_near(first, 4.0, 1e-9);
-    run_for(&world, 6);
-    const double after =
-        probe(&world, "balloon0.amount") * small + probe(&world, "balloon1.amount") * big;
-    assert_less(small, big);
-    assert_close(after, before, 1e-12);
-    assert_less(probe(&world, "balloon0.amount"), 0.7 * first);
-    world_close(&world);
-}
-
-/// Valve and leak let out in proportion to the gauge pressure, and stop at ambient.
-static void gas_is_let_out_until_ambient(void** state) {
-    (void)state;
-    World world;
-    WORLD_OF(&world, standard, "step=0.01", "balloons.0.damping.rate=200",
-             "balloons.0.inflation={law: gas, amount: 1.5, vent: 0.01, rate: 1}");
-    run_for(&world, 0.5);
-    press(&world, "deflate", "down");
-    run_for(&world, 3);
-    assert_near(probe(&world, "balloon0.gauge_pressure"), 0, 60);
-    assert_near(probe(&world, "balloon0.amount"), 1, 0.02);
-    assert_less(0.999, probe(&world, "balloon0.amount"));
-    world_close(&world);
-
-    WORLD_OF(&world, standard, "step=0.01", "balloons.0.damping.rate=200",
-             "balloons.0.inflation={law: gas, amount: 1.5, leak: 1e-4}");
-    run_for(&world, 0.1);
-    const double before = probe(&world, "balloon0.amount");
-    const double pressure = probe(&world, "balloon0.gauge_pressure");
-    assert_less(0, pressure);
-    run_for(&world, 0.01);
-    assert_close(before - probe(&world, "balloon0.amount"), 1e-4 * pressure * 0.01, 1e-3);
-    world_close(&world);
-}
-
-/// The helium balloon sinks below l = 2.0555 and rises above it.
-static void helium_lifts_off_when_filled_enough(void** state) {
-    (void)state;
-    World world;
-    WORLD_OF(&world, "lift-off");
-    const double weight = 9.81 * 4 * PI * 0.01 * 3e-4 * 1000;
-    bool light = false;
-    while (world_time(&world) < 6) {
-        run_for(&world, 0.1);
-        const double l = cbrt(probe(&world, "balloon0.volume") / (4.18879 * 1e-3));
-        const double lift = probe(&world, "balloon0.lift");
-        if (l < 2.03) // the mesh is a little smaller than its sphere
-            assert_less(lift, weight);
-        if (l > 2.08)
-            assert_less(weight, lift);
-        if (!light)
-            assert_less(probe(&world, "balloon0.py"), 0);
-        light = light || lift > weight;
-    }
-    assert_true(light);
-    assert_less(0, probe(&world, "balloon0.py"));
-    world_close(&world);
-}
-
 /// Where a method cannot solve a step, the state stays whole and the sentence names the step.
 static void a_step_that_is_not_solved_is_named_and_survived(void** state) {
     (void)state;
@@ -387,9 +291,6 @@ int main(void) {
         cmocka_unit_test(uniform_thickness_does_not_change_the_shape),
         cmocka_unit_test(thinner_skin_swells_more),
         cmocka_unit_test(a_thin_part_swells_more),
-        cmocka_unit_test(the_small_balloon_empties_into_the_big_one),
-        cmocka_unit_test(gas_is_let_out_until_ambient),
-        cmocka_unit_test(helium_lifts_off_when_filled_enough),
         cmocka_unit_test(a_step_that_is_not_solved_is_named_and_survived),
     };
     return cmocka_run_group_tests(tests, write_standard, remove_standard);
