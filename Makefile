@@ -235,8 +235,8 @@ $$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
 	@echo "  $$@"
 	@$$(CXX) $$(EXTRA) $$(link_flags) $$^ $$(bullet_$(1)) $$(libraries) -lcmocka -o $$@
 
-# one test counts what a step asks the allocator for
-$$(BUILD)/$(1)/tests/test_world: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)
+# one test counts allocations
+$$(BUILD)/$(1)/tests/test_allocation: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)
 
 $$(BUILD)/$(1)/syntax/%.ok: tests/unit/%.c $$(HEADERS) $$(wildcard tests/unit/*.h)
 	@mkdir -p $$(@D)

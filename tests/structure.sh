@@ -31,6 +31,7 @@ size() {
 }
 size functions "$functions" $function_limit
 size files "$files" $file_limit
+size tests "$(wc -l tests/unit/*.[ch] | grep -v ' total$' | sed 's/^ *//' | sort -n)" $file_limit
 size folders "$rooms" $room_limit
 
 # --- no static function or variable has the name of a global one
@@ -56,6 +57,14 @@ while IFS=: read -r file line path; do
     fault "$file:$line names $path, and there is no such file"
 done < <(grep -noE '(//|^ *\*|/\*).*' "${sources[@]}" tests/unit/*.[ch] |
     sed -nE ':a; s|^([^:]+:[0-9]+):.*[^a-z_0-9/<.]([a-z_0-9]+(/[a-z_0-9]+)+\.(h\|c\|cpp\|sh\|md\|yaml))\b.*|\1:\2|p')
+
+# ... or, without a folder, the name of a file of the tree, or of one that the program writes
+declare -A exists=([chart.md]=1)
+while read -r name; do exists[$name]=1; done < <(git ls-files 2>/dev/null | sed 's|.*/||')
+while IFS=: read -r file line name; do
+    [ ${#exists[@]} = 1 ] || [ -n "${exists[$name]:-}" ] || fault "$file:$line names $name, and there is no such file"
+done < <(grep -noE '(//|^ *\*|/\*).*' "${sources[@]}" tests/unit/*.[ch] |
+    sed -nE 's#^([^:]+:[0-9]+):(.*[^A-Za-z_0-9/.*])?([a-z][a-z_0-9]*\.(h|c|cpp|sh|md|yaml))\b.*#\1:\3#p')
 
 # --- the top level
 for entry in $(git ls-files 2>/dev/null | cut -d/ -f1 | sort -u); do

@@ -131,7 +131,7 @@ static void cube_has_area_24_and_volume_8(void** state) {
     mesh_free(&mesh);
 }
 
-/// truth.md section 5, reading 3: a quarter of each flat quad's area vector at each of its corners.
+/// Area-weighted push on quads: a quarter of each flat quad's area vector at each of its corners.
 /// A cube's corner has a quarter of three sides of area 4.
 static void flat_quads_push_by_a_quarter_of_their_area(void** state) {
     (void)state;

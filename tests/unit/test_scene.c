@@ -297,33 +297,6 @@ static void numbers_have_a_point_in_every_locale(void** state) {
     scene_free(&def);
 }
 
-static unsigned next_random(unsigned* random) {
-    *random = *random * 1664525u + 1013904223u; // Numerical Recipes
-    return *random >> 8;
-}
-
-static void a_mutated_scene_is_loaded_or_refused_in_one_sentence(void** state) {
-    (void)state;
-    static const char pieces[] = "{}[]:,-#&*!|>'\"%@`?\n \t0123456789.eabc\x01\xff";
-    unsigned random = 20240229;
-    for (int n = 0; n < MUTATIONS; n++) {
-        char text[sizeof full];
-        memcpy(text, full, sizeof full);
-        for (unsigned k = next_random(&random) % 6 + 1; k > 0; k--)
-            text[next_random(&random) % (sizeof full - 1)] =
-                pieces[next_random(&random) % (sizeof pieces - 1)];
-        WorldDef def;
-        Fault fault;
-        if (load(text, NULL, &def, &fault)) {
-            assert_true(def.balloons_count >= 1 && def.step > 0);
-            scene_free(&def);
-        } else {
-            assert_true(fault.text[0] && !strchr(fault.text, '\n'));
-            assert_int_equal(strncmp(fault.place, scene, strlen(scene)), 0);
-        }
-    }
-}
-
 static const char* absent(const char* name) {
     Key key;
     assert_true(key_find(&scene_keys, NULL, name, &key));
@@ -372,7 +345,6 @@ int main(void) {
         cmocka_unit_test(every_shipped_scene_is_found_by_its_name),
         cmocka_unit_test(a_name_that_is_nothing_is_told_what_there_is),
         cmocka_unit_test(numbers_have_a_point_in_every_locale),
-        cmocka_unit_test(a_mutated_scene_is_loaded_or_refused_in_one_sentence),
     };
     return cmocka_run_group_tests_name("scene", tests, make_folder, remove_folder);
 }

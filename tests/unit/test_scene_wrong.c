@@ -232,6 +232,33 @@ static void aliases_cannot_ask_for_more_than_a_scene_may_hold(void** state) {
     assert_non_null(strstr(fault.text, "this scene is too large"));
 }
 
+static unsigned next_random(unsigned* random) {
+    *random = *random * 1664525u + 1013904223u; // Numerical Recipes
+    return *random >> 8;
+}
+
+static void a_mutated_scene_is_loaded_or_refused_in_one_sentence(void** state) {
+    (void)state;
+    static const char pieces[] = "{}[]:,-#&*!|>'\"%@`?\n \t0123456789.eabc\x01\xff";
+    unsigned random = 20240229;
+    for (int n = 0; n < MUTATIONS; n++) {
+        char text[sizeof full];
+        memcpy(text, full, sizeof full);
+        for (unsigned k = next_random(&random) % 6 + 1; k > 0; k--)
+            text[next_random(&random) % (sizeof full - 1)] =
+                pieces[next_random(&random) % (sizeof pieces - 1)];
+        WorldDef def;
+        Fault fault;
+        if (load(text, NULL, &def, &fault)) {
+            assert_true(def.balloons_count >= 1 && def.step > 0);
+            scene_free(&def);
+        } else {
+            assert_true(fault.text[0] && !strchr(fault.text, '\n'));
+            assert_int_equal(strncmp(fault.place, scene, strlen(scene)), 0);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_wrong_is_said_in_one_sentence_with_its_line),
@@ -240,6 +267,7 @@ int main(void) {
         cmocka_unit_test(a_file_that_may_not_be_read_is_refused),
         cmocka_unit_test(scenes_without_measure_are_refused),
         cmocka_unit_test(aliases_cannot_ask_for_more_than_a_scene_may_hold),
+        cmocka_unit_test(a_mutated_scene_is_loaded_or_refused_in_one_sentence),
     };
     return cmocka_run_group_tests_name("scene_wrong", tests, make_folder, remove_folder);
 }

@@ -1,70 +1,7 @@
 /// The world: same input, same bits; keys; guard; what is and is not there.
 #include "worlds.h"
 
-#include <suitesparse/SuiteSparse_config.h>
-
 #include "world/command.h"
-
-// the Makefile links this test with these in front of the C library's, to count what a step asks
-// for
-void* __real_malloc(size_t size);
-void* __real_calloc(size_t count, size_t size);
-void* __real_realloc(void* old, size_t size);
-void* __real_aligned_alloc(size_t alignment, size_t size);
-void* __wrap_malloc(size_t size);
-void* __wrap_calloc(size_t count, size_t size);
-void* __wrap_realloc(void* old, size_t size);
-void* __wrap_aligned_alloc(size_t alignment, size_t size);
-static int asked;
-
-void* __wrap_malloc(size_t size) {
-    asked++;
-    return __real_malloc(size);
-}
-
-void* __wrap_calloc(size_t count, size_t size) {
-    asked++;
-    return __real_calloc(count, size);
-}
-
-void* __wrap_realloc(void* old, size_t size) {
-    asked++;
-    return __real_realloc(old, size);
-}
-
-void* __wrap_aligned_alloc(size_t alignment, size_t size) {
-    asked++;
-    return __real_aligned_alloc(alignment, size);
-}
-
-/// Nor does CHOLMOD, once the matrix is factored.
-static void step_allocates_nothing(void** state) {
-    (void)state;
-    SuiteSparse_config.malloc_func = malloc;
-    SuiteSparse_config.calloc_func = calloc;
-    SuiteSparse_config.realloc_func = realloc;
-    for (int m = 0; m < method_count; m++) {
-        char method[64];
-        snprintf(method, sizeof method, "method=%s", method_table[m]->name);
-        World world;
-        WORLD_OF(
-            &world, "cube-sphere:6", method, "guard=off",
-            "balloons.0.strain_limit={structural: 0.1, shear: 0.1, flexion: 0.1, tarantino: true}",
-            "balloons.0.inflation.law=gas", "balloons.0.inflation.ambient=100");
-        assert_true(asked > 0);
-        int factored = 0;
-        for (int n = 0; n < 100; n++) {
-            const int before = asked;
-            world_step(&world);
-            if (world.balloon[0].stats.factored)
-                factored++;
-            else
-                assert_int_equal(asked, before);
-        }
-        assert_true(factored <= 1);
-        world_close(&world);
-    }
-}
 
 /// Which skins a method takes, and that it says so of the others.
 static void methods_refuse_what_they_do_not_take(void** state) {
@@ -372,7 +309,6 @@ static void tether_bears_the_lift(void** state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(step_allocates_nothing),
         cmocka_unit_test(methods_refuse_what_they_do_not_take),
         cmocka_unit_test(same_input_gives_same_bits),
         cmocka_unit_test(reset_restores_everything),
