@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "base/paths.h"
+#include "show/pacer.h"
 
 static const double AUTO_BUDGET = 8; ///< half a frame of 1/60 s; drawing needs the other half [ms]
 
@@ -50,6 +51,16 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
     return true;
 }
 
+static bool opens(const char* name, const SceneSet* set, int set_count) {
+    WorldDef def;
+    World world;
+    Fault unused = {0};
+    if (!scene_load(name, set, set_count, &def, &unused) || !world_open(&world, &def, &unused))
+        return false;
+    world_close(&world);
+    return true;
+}
+
 /// Load the scene and open its world in the precision that it names. method: replaces the scene's;
 /// NULL: does not.
 static bool open_copy(const Options* options, const char* method, Sets* sets, World* world,
@@ -67,7 +78,10 @@ static bool open_copy(const Options* options, const char* method, Sets* sets, Wo
         scene_free(&def);
         return cli_other_precision(is_double ? "balloon" : "balloon-double", fault);
     }
-    return world_open(world, &def, fault);
+    const bool good = world_open(world, &def, fault);
+    if (!good && sets->count > 0)
+        scene_blame(target, sets->set, sets->count, opens, fault);
+    return good;
 }
 
 bool cli_open_world(const Options* options, World* world, Fault* fault) {
@@ -83,4 +97,17 @@ bool cli_open_pair(const Options* options, Sets* sets, World* world, Ghost* ghos
         return true;
     world_close(world);
     return false;
+}
+
+bool cli_times(const Options* options, const World* world, double* seconds, double* fps,
+               Fault* fault) {
+    if (!options_number(options->seconds, "--seconds", world->def.seconds, seconds, fault) ||
+        !options_number(options->fps, "--fps", 60, fps, fault))
+        return false;
+    if (!(*seconds / world->step < PACER_STEPS_MAX))
+        return fault_set(fault, options->seconds ? "--seconds" : world->def.file,
+                         "%g s are more steps of %g s than can be counted", *seconds, world->step);
+    return *seconds * *fps < PACER_STEPS_MAX ||
+           fault_set(fault, options->fps ? "--fps" : "--seconds",
+                     "%g s at %g frames per second are more than can be counted", *seconds, *fps);
 }

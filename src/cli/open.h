@@ -28,6 +28,11 @@ bool cli_open_world(const Options* options, World* world, Fault* fault);
 
 /// Open the world and, with --compare, its ghost; the caller closes both. sets: receives the world's
 /// overrides.
+/// The simulated time and the frames or rows per second that the options ask for. More steps or
+/// frames than can be counted are refused.
+bool cli_times(const Options* options, const World* world, double* seconds, double* fps,
+               Fault* fault);
+
 bool cli_open_pair(const Options* options, Sets* sets, World* world, Ghost* ghost, Fault* fault);
 
 #endif

@@ -41,6 +41,7 @@ const Option option_table[] = {
     {"--only",      "WORD",     "bench table1: the models with it in their names", VERB_BENCH, TEXT(only)},
     {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement", VERB_BENCH | VERB_CHART | VERB_STABILITY | VERB_NEEDS, FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is; needs: every scene", VERB_CHART | VERB_NEEDS, FLAG(all)},
+    {"--overwrite", NULL,       "write over files that balloon did not make, or that it reads", SESSIONS, FLAG(overwrite)},
     {"--fit",       "P,V[,S]|K","peer: links that rest at V first volumes under P [Pa], at step S; or as springs of K", VERB_PEER, TEXT(fit)},
     {"--compare",   "METHOD",   "a second copy of the scene by that method, as a ghost", SESSIONS, TEXT(compare)},
     {"--error",     "E",        "advise: how far off it may be, as 1%", SESSIONS | VERB_ADVISE, TEXT(error)},

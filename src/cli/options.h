@@ -27,7 +27,7 @@ typedef struct Options {
     const char* error;
     const char* budget;
     const char* only;
-    bool hash, time, report, quiet, overlay, lab, keep, quick, all, fresh, advised;
+    bool hash, time, report, quiet, overlay, lab, keep, quick, all, fresh, advised, overwrite;
     SceneSet set[MAX_SETS];
     int set_count;
     char typed[MAX_SETS][256]; ///< texts of the overrides that options such as --step are short for

@@ -34,10 +34,8 @@ bool verb_peer(const Options* options, Fault* fault) {
     interrupt_catch();
     if (!read_fit(options->fit, &peer.fit, fault) || !cli_open_world(options, &world, fault))
         return false;
-    const bool good =
-        options_number(options->seconds, "--seconds", world.def.seconds, &peer.seconds, fault) &&
-        options_number(options->fps, "--fps", 60, &peer.fps, fault) &&
-        peer_run(&world, &peer, options->csv ? stdout : NULL, fault);
+    const bool good = cli_times(options, &world, &peer.seconds, &peer.fps, fault) &&
+                      peer_run(&world, &peer, options->csv ? stdout : NULL, fault);
     if (good && options->hash)
         printf("%016llx\n", (unsigned long long)world_hash(&world));
     world_close(&world);

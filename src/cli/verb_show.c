@@ -2,6 +2,7 @@
 
 #include "cli/open.h"
 #include "base/interrupt.h"
+#include "cli/overwrite.h"
 #include "cli/verb.h"
 #include "show/run.h"
 #include "show/show.h"
@@ -21,13 +22,12 @@ static bool show_options(const Options* options, const Sets* sets, const World* 
     show->compare = options->compare;
     show->ghost = options->compare ? ghost : NULL;
     show->lab = options->lab;
+    char rest;
     if (options->size &&
-        (sscanf(options->size, "%dx%d", &show->width, &show->height) != 2 || show->width < 16 ||
-         show->height < 16 || show->width > 16384 || show->height > 16384))
+        (sscanf(options->size, "%5dx%5d%c", &show->width, &show->height, &rest) != 2 ||
+         show->width < 16 || show->height < 16 || show->width > 16384 || show->height > 16384))
         return fault_set(fault, "--size", "'%s' is not a size such as 1280x720", options->size);
-    return options_number(options->seconds, "--seconds", world->def.seconds, &show->seconds,
-                          fault) &&
-           options_number(options->fps, "--fps", 60, &show->fps, fault);
+    return cli_times(options, world, &show->seconds, &show->fps, fault);
 }
 
 /// Print the hash with --hash; close the world and its ghost.
@@ -45,6 +45,10 @@ static bool show_pair(const Options* options, bool window, Fault* fault) {
     Ghost ghost = {0};
     Sets sets;
     interrupt_catch();
+    if (!overwrite_allowed(options, fault) ||
+        (!window &&
+         !overwrite_allows_pictures(options, options->out ? options->out : "out", fault)))
+        return false;
     if (!cli_open_pair(options, &sets, &world, &ghost, fault))
         return false;
     bool good = show_options(options, &sets, &world, &ghost, &show, fault);
@@ -78,11 +82,9 @@ bool verb_run(const Options* options, Fault* fault) {
                               .ghost = options->compare ? &ghost : NULL,
                               .quiet = options->quiet};
     interrupt_catch();
-    if (!cli_open_pair(options, &sets, &world, &ghost, fault))
+    if (!overwrite_allowed(options, fault) || !cli_open_pair(options, &sets, &world, &ghost, fault))
         return false;
-    const bool good = options_number(options->seconds, "--seconds", world.def.seconds,
-                                     &run_options.seconds, fault) &&
-                      options_number(options->fps, "--fps", 60, &run_options.fps, fault) &&
+    const bool good = cli_times(options, &world, &run_options.seconds, &run_options.fps, fault) &&
                       run(&world, &run_options, fault);
     return print_hash_and_close(options, &world, &ghost, good);
 }

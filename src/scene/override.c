@@ -1,7 +1,10 @@
 /// Overrides: store a value in the tree at a path, and add the absent keys on the path.
 #include "scene/tree.h"
 
+#include <stdlib.h>
 #include <string.h>
+
+#include "base/memory_missing.h"
 
 enum { VALUE_NODES_MAX = 1000 }; ///< a value with aliases to itself has no end
 
@@ -16,15 +19,27 @@ typedef struct Put {
 
 // A new node may move all others, so the mark is set by number.
 static int with_mark(const Put* put, int node) {
-    ASSERT(node > 0, "there is memory for an override");
+    if (node <= 0)
+        memory_missing("an override");
     put->tree->document.nodes.start[node - 1].start_mark = put->mark;
     return node;
 }
 
+// A path is of any bytes, and libyaml adds scalars of UTF-8 only: the bytes replace an empty one's.
 static int make_text(const Put* put, const char* text, size_t length) {
-    return with_mark(put,
-                     yaml_document_add_scalar(&put->tree->document, NULL, (const yaml_char_t*)text,
-                                              (int)length, YAML_ANY_SCALAR_STYLE));
+    yaml_document_t* document = &put->tree->document;
+    const int node = with_mark(put, yaml_document_add_scalar(document, NULL, (const yaml_char_t*)"",
+                                                             0, YAML_ANY_SCALAR_STYLE));
+    yaml_char_t* bytes = malloc(length + 1);
+    if (!bytes)
+        memory_missing("an override");
+    memcpy(bytes, text, length);
+    bytes[length] = '\0';
+    yaml_node_t* made = &document->nodes.start[node - 1];
+    free(made->data.scalar.value);
+    made->data.scalar.value = bytes;
+    made->data.scalar.length = length;
+    return node;
 }
 
 static int make_mapping(const Put* put) {
@@ -38,13 +53,13 @@ static int make_list(const Put* put) {
 }
 
 static void append_pair(const Put* put, int mapping, int key, int value) {
-    const bool good = yaml_document_append_mapping_pair(&put->tree->document, mapping, key, value);
-    ASSERT(good, "there is memory for an override");
+    if (!yaml_document_append_mapping_pair(&put->tree->document, mapping, key, value))
+        memory_missing("an override");
 }
 
 static void append_item(const Put* put, int list, int item) {
-    const bool good = yaml_document_append_sequence_item(&put->tree->document, list, item);
-    ASSERT(good, "there is memory for an override");
+    if (!yaml_document_append_sequence_item(&put->tree->document, list, item))
+        memory_missing("an override");
 }
 
 // Copy a node of another tree with all below it. `remaining` nodes; below 0: the node has too many.

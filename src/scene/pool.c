@@ -3,7 +3,7 @@
 #include <stdalign.h>
 #include <stdlib.h>
 
-#include "base/fault.h"
+#include "base/memory_missing.h"
 
 struct PoolBlock {
     PoolBlock* older;
@@ -14,7 +14,8 @@ void* pool_array(Pool* pool, size_t count, size_t size) {
     if (count == 0)
         return NULL;
     PoolBlock* block = calloc(1, sizeof *block + count * size);
-    ASSERT(block, "there is memory for a scene");
+    if (!block)
+        memory_missing("a scene");
     block->older = pool->newest;
     pool->newest = block;
     return block->bytes;

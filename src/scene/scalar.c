@@ -6,7 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/real.h"
 #include "base/table.h"
+
+/// Whether the number is in its range as a `real` too: 1e39 is infinite in float, 1e-50 is 0.
+static void note_beyond(Validator* validator, const Key* key, int id, double value) {
+    const real rounded = (real)value;
+    if (validator->beyond || (isfinite(rounded) && key_allows(&key->is, (double)rounded)))
+        return;
+    validator->beyond = id;
+    memcpy(validator->beyond_path, validator->path, sizeof validator->path);
+}
 
 static bool store_number(Validator* validator, const Key* key, int id, const char* word,
                          double* number) {
@@ -29,6 +39,7 @@ static bool store_number(Validator* validator, const Key* key, int id, const cha
         return tree_fault(validator->tree, id, validator->fault, "%s must be %s, not %.64s",
                           subject, words, word);
     }
+    note_beyond(validator, key, id, value);
     *number = value;
     return true;
 }

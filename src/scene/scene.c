@@ -7,6 +7,7 @@
 
 #include "base/input_file.h"
 #include "base/memory.h"
+#include "base/memory_missing.h"
 #include "scene/find.h"
 #include "scene/rename.h"
 #include "scene/rules.h"
@@ -77,14 +78,14 @@ static bool load(const char* name, const SceneSet* set, int set_count, bool for_
 
     SceneTree tree = {.file = source.file, .numbered = !source.model[0], .set = set};
     const Renamed renamed = {def->renamed, sizeof def->renamed};
-    const bool good = read_tree(&source, &tree, fault) &&
-                      set_all(&tree, set_count, &renamed, fault) &&
-                      validate_scene(&tree, def, fault) && rules_hold(def, &tree, fault);
+    bool good = read_tree(&source, &tree, fault) && set_all(&tree, set_count, &renamed, fault) &&
+                validate_scene(&tree, def, fault) && rules_hold(def, &tree, fault);
     if (good)
         snprintf(def->file, sizeof def->file, "%s", tree.file);
     size_t size;
-    if (good && text)
-        *text = tree_text(&tree, for_people, &size);
+    if (good && text && !(*text = tree_text(&tree, for_people, &size)))
+        good =
+            fault_set(fault, tree.file, "a text in it is not UTF-8, and cannot be written as YAML");
     tree_free(&tree);
     if (!good)
         scene_free(def);
@@ -95,7 +96,8 @@ static bool load_with_points(const char* name, const SceneSet* set, int set_coun
                              char** text, WorldDef* def, Fault* fault) {
     *def = (WorldDef){0};
     const locale_t point = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
-    ASSERT(point, "every system has the C locale");
+    if (!point)
+        memory_missing("a locale");
     const locale_t before = uselocale(point);
     const bool good = load(name, set, set_count, for_people, text, def, fault);
     uselocale(before);
@@ -103,8 +105,31 @@ static bool load_with_points(const char* name, const SceneSet* set, int set_coun
     return good;
 }
 
+static bool loads(const char* name, const SceneSet* set, int set_count) {
+    WorldDef def;
+    Fault unused = {0};
+    const bool good = load_with_points(name, set, set_count, false, NULL, &def, &unused);
+    if (good)
+        scene_free(&def);
+    return good;
+}
+
+void scene_blame(const char* name, const SceneSet* set, int set_count,
+                 bool (*opens)(const char* name, const SceneSet* set, int set_count),
+                 Fault* fault) {
+    if (strncmp(fault->place, "--set ", 6) == 0 || !opens(name, set, 0))
+        return;
+    int first = 1;
+    while (first < set_count && opens(name, set, first))
+        first++;
+    snprintf(fault->place, sizeof fault->place, "--set %s", set[first - 1].text);
+}
+
 bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault) {
-    return load_with_points(name, set, set_count, false, NULL, def, fault);
+    const bool good = load_with_points(name, set, set_count, false, NULL, def, fault);
+    if (!good && set_count > 0)
+        scene_blame(name, set, set_count, loads, fault);
+    return good;
 }
 
 char* scene_text(const char* name, const SceneSet* set, int set_count, bool for_people,

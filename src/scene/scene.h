@@ -283,6 +283,12 @@ static inline double scene_gravity(const WorldDef* def) {
     return def->gravity ? *def->gravity : def->units == UNITS_PAPER ? 9.8 : 9.81;
 }
 
+/// A fault of a scene with overrides that it does not have without them names the first override
+/// with which it has: the user wrote that, and not the scene's line. opens: whether the scene opens
+/// with the first `set_count` overrides.
+void scene_blame(const char* name, const SceneSet* set, int set_count,
+                 bool (*opens)(const char* name, const SceneSet* set, int set_count), Fault* fault);
+
 void scene_free(WorldDef* def);
 
 #endif

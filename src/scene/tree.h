@@ -55,7 +55,7 @@ bool tree_fault(const SceneTree* tree, int node, Fault* fault, const char* forma
 
 /// The tree as YAML again, with every scalar quoted and every alias written out, or laid out
 /// for people. A zero byte follows. Only for trees
-/// that passed validate_scene, which bounds them. The caller frees it.
+/// that passed validate_scene, which bounds them. The caller frees it. NULL if a text is not UTF-8.
 char* tree_text(const SceneTree* tree, bool for_people, size_t* size);
 
 void tree_free(SceneTree* tree);

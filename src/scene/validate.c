@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/real.h"
+
 static bool validate_value(Validator* validator, const Key* key, int node, char* at);
 
 const char* validate_subject(const Validator* validator) {
@@ -187,5 +189,16 @@ static bool validate_value(Validator* validator, const Key* key, int node, char*
 
 bool validate_scene(const SceneTree* tree, WorldDef* def, Fault* fault) {
     Validator validator = {.tree = tree, .fault = fault, .pool = &def->pool};
-    return validate_group(&validator, &scene_keys, TREE_ROOT, (char*)def);
+    if (!validate_group(&validator, &scene_keys, TREE_ROOT, (char*)def))
+        return false;
+
+    // a scene for the other precision is read before its program is called
+    const bool is_double = sizeof(real) == sizeof(double);
+    const bool is_other = def->precision == (is_double ? PRECISION_FLOAT : PRECISION_DOUBLE);
+    if (!validator.beyond || is_other)
+        return true;
+    const yaml_node_t* node = tree_node(tree, validator.beyond);
+    return tree_fault(tree, validator.beyond, fault,
+                      "%s is %.64s, which is out of range in a state of " REAL_NAME,
+                      validator.beyond_path, (const char*)node->data.scalar.value);
 }

@@ -15,6 +15,8 @@ typedef struct Validator {
     Pool* pool;     ///< of what is stored
     char path[256]; ///< of the present value, "" for the scene itself
     int nodes;      ///< validated so far
+    int beyond;     ///< the first node of a number outside the state's type; 0: none
+    char beyond_path[256];
 } Validator;
 
 /// Fill def->…, whose memory is def->pool's.

@@ -105,7 +105,10 @@ char* tree_text(const SceneTree* tree, bool for_people, size_t* size) {
         text.size -= good;
     }
     yaml_emitter_delete(&emitter);
-    ASSERT(good, "a validated tree can be written out, memory permitting");
+    if (!good) {
+        free(text.byte);
+        return NULL;
+    }
     *size = (size_t)text.size;
     return text.byte;
 }

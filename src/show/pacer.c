@@ -7,7 +7,7 @@
 static const double ROUNDING = 1e-9;
 
 long pacer_steps(double time, double step) {
-    return (long)floor(time / step * (1 + 1e-3 * ROUNDING) + ROUNDING);
+    return (long)fmin(floor(time / step * (1 + 1e-3 * ROUNDING) + ROUNDING), PACER_STEPS_MAX);
 }
 
 Pacer pacer_make(double step, double frame_max) {

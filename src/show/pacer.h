@@ -8,6 +8,9 @@
 
 #include <stdbool.h>
 
+/// More steps or frames are not counted: a double counts them by ones up to here. [1]
+#define PACER_STEPS_MAX 9007199254740992.0
+
 enum { PACER_SLOWEST = 16 }; ///< the lowest speed is 1/16
 
 typedef struct Pacer {

@@ -6,12 +6,17 @@
 
 #include <png.h>
 
+#include "show/video.h"
+
 // Level 1 with one filter takes a fifth of the time of libpng's defaults; files are little larger.
 enum { COMPRESSION = 1 };
 
 /// libpng reports errors by longjmp, so this function has no local variables that change.
 static bool encode(png_struct* png, png_info* info, FILE* out, const unsigned char* rgb, int width,
                    int height) {
+    const png_text comment = {.compression = PNG_TEXT_COMPRESSION_NONE,
+                              .key = (char*)"Software",
+                              .text = (char*)VIDEO_MARK};
     if (setjmp(png_jmpbuf(png)))
         return false;
     png_init_io(png, out);
@@ -19,6 +24,7 @@ static bool encode(png_struct* png, png_info* info, FILE* out, const unsigned ch
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_IHDR(png, info, (png_uint_32)width, (png_uint_32)height, 8, PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_text(png, info, &comment, 1);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
     for (int y = 0; y < height; y++)

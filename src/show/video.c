@@ -13,17 +13,21 @@ extern char** environ;
 // players need 4:2:0 color, which is defined for even sizes only
 #define EVEN "crop=trunc(iw/2)*2:trunc(ih/2)*2"
 
-static const char* const MP4[] = {"-vf",      EVEN,      "-c:v",      "libx264",    "-crf", "18",
-                                  "-pix_fmt", "yuv420p", "-movflags", "+faststart", NULL};
-static const char* const WEBM[] = {"-vf", EVEN,       "-c:v",    "libvpx-vp9", "-crf", "30", "-b:v",
-                                   "0",   "-pix_fmt", "yuv420p", "-row-mt",    "1",    NULL};
+static const char* const MP4[] = {"-vf",       EVEN,         "-c:v",      "libx264",
+                                  "-crf",      "18",         "-pix_fmt",  "yuv420p",
+                                  "-movflags", "+faststart", "-metadata", "comment=" VIDEO_MARK,
+                                  NULL};
+static const char* const WEBM[] = {
+    "-vf", EVEN,       "-c:v",    "libvpx-vp9", "-crf", "30",        "-b:v",
+    "0",   "-pix_fmt", "yuv420p", "-row-mt",    "1",    "-metadata", "comment=" VIDEO_MARK,
+    NULL};
 // delays are hundredths of a second: 25 frames a second are exact, 60 are not. One palette for all
 // frames
 static const char* const GIF[] = {
     "-vf", "fps=25,split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", NULL};
 
 const VideoFormat video_table[] = {
-    {".mp4", "mp4", MP4}, {".webm", "webm", WEBM}, {".gif", "gif", GIF}};
+    {".mp4", "mp4", MP4, false}, {".webm", "webm", WEBM, false}, {".gif", "gif", GIF, true}};
 const int video_count = sizeof video_table / sizeof *video_table;
 
 enum { MAX_ARGUMENTS = 48 };
@@ -99,6 +103,7 @@ static bool start(Video* video, const VideoFormat* format, int width, int height
 bool video_open(Video* video, const VideoFormat* format, const char* file, int width, int height,
                 double fps, Fault* fault) {
     *video = (Video){.frame = (size_t)width * (size_t)height * 3};
+    video->add_comment = format->add_comment;
     snprintf(video->file, sizeof video->file, "%s", file);
     snprintf(video->temporary, sizeof video->temporary, "%s.part", file);
     FILE* probe = fopen(video->temporary, "wb");
@@ -128,6 +133,17 @@ static void first_line(FILE* messages, char* line, int size) {
     line[strcspn(line, "\n")] = 0;
 }
 
+/// ffmpeg writes no comment into a GIF: a comment extension before the trailer, one byte.
+static bool add_gif_comment(const char* file) {
+    static const char comment[] = "\x21\xfe\x0f" VIDEO_MARK "\0\x3b"; // 15 bytes of text
+    FILE* film = fopen(file, "r+b");
+    if (!film)
+        return false;
+    const bool good = fseek(film, -1, SEEK_END) == 0 &&
+                      fwrite(comment, 1, sizeof comment - 1, film) == sizeof comment - 1;
+    return fclose(film) == 0 && good;
+}
+
 bool video_close(Video* video, bool complete, Fault* fault) {
     if (!video->file[0])
         return complete; // closed before
@@ -141,6 +157,8 @@ bool video_close(Video* video, bool complete, Fault* fault) {
         first_line(video->messages, line, sizeof line);
         complete = fault_set(fault, video->file, "ffmpeg failed: %s", line);
     }
+    if (complete && video->add_comment && !add_gif_comment(video->temporary))
+        complete = fault_set(fault, video->file, "cannot be written: %s", strerror(errno));
     if (complete && rename(video->temporary, video->file) != 0)
         complete = fault_set(fault, video->file, "cannot be written: %s", strerror(errno));
     if (!complete) {

@@ -5,10 +5,14 @@
 
 #include "base/fault.h"
 
+/// Stands in the comment of every film and picture, so that the program knows its own.
+#define VIDEO_MARK "made by balloon"
+
 typedef struct VideoFormat {
     const char* ending;           ///< of the file's name, with the dot
     const char* muxer;            ///< ffmpeg's name of the container
     const char* const* arguments; ///< codec and filters, terminated by NULL
+    bool add_comment;             ///< ffmpeg writes no comment into this format; video_close does
 } VideoFormat;
 
 extern const VideoFormat video_table[];
@@ -18,10 +22,11 @@ extern const int video_count;
 const VideoFormat* video_find(const char* file);
 
 typedef struct Video {
-    FILE* pipe;     ///< raw frames, to ffmpeg
-    FILE* messages; ///< ffmpeg's messages, quoted in faults
-    long process;   ///< ffmpeg's process id; 0: none
-    size_t frame;   ///< size of a frame [bytes]
+    FILE* pipe;       ///< raw frames, to ffmpeg
+    FILE* messages;   ///< ffmpeg's messages, quoted in faults
+    long process;     ///< ffmpeg's process id; 0: none
+    size_t frame;     ///< size of a frame [bytes]
+    bool add_comment; ///< ffmpeg wrote none
     char file[900];
     char temporary[1024]; ///< the name until the file is complete
 } Video;

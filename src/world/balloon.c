@@ -8,6 +8,7 @@
 #include "force/inflation.h"
 #include "force/material.h"
 #include "mesh/load.h"
+#include "world/balloon_check.h"
 
 static const double vent_pressure = 1000; ///< [Pa] gauge pressure at which a valve vents at `rate`
 static const double default_threshold = 0.1; ///< [1] the mass-spring paper's
@@ -213,39 +214,6 @@ static void make(Balloon* balloon, const WorldDef* world) {
     balloon_fill(balloon, 0);
 }
 
-/// Flexion springs and torsion join the ends of each two edges at a vertex: too many, if it has many.
-static bool check_paths(const Balloon* balloon, const char* location, int number, Fault* fault) {
-    const SpringsDef* springs = balloon->def->skin.springs;
-    int vertex = 0;
-    if (!springs || springs->flexion + springs->torsion <= 0)
-        return true;
-    const double paths = springs_paths(&balloon->mesh, &vertex);
-    return paths <= SPRING_PATHS_MAX ||
-           fault_set(fault, location,
-                     "balloons.%d: %s has %.3g paths of two edges, most through particle %d; set "
-                     "skin.springs.flexion and torsion to 0, which join the ends of each",
-                     number, balloon->def->model, paths, balloon->mesh.loaded[vertex]);
-}
-
-/// Check the def against the mesh: numbers of particles, and that a mesh to be inflated is closed.
-static bool check_mesh(const Balloon* balloon, const char* location, int number, Fault* fault) {
-    const BalloonDef* def = balloon->def;
-    const bool encloses = def->inflation && def->inflation->law != INFLATE_AREA &&
-                          def->inflation->law != INFLATE_NONE;
-    if (encloses && !balloon->mesh.closed)
-        return fault_set(fault, location,
-                         "balloons.%d: %s is open, and '%s' inflation needs a closed mesh; take "
-                         "law 'area' or close it",
-                         number, def->model, inflation_law_name[def->inflation->law]);
-    for (unsigned k = 0; k < def->strings_count; k++)
-        if (def->strings[k].at && def->strings[k].at[0] >= '0' && def->strings[k].at[0] <= '9' &&
-            strtol(def->strings[k].at, NULL, 10) >= balloon->mesh.point_count)
-            return fault_set(fault, location,
-                             "balloons.%d.strings.%u.at: %s has particles 0 to %d, not %s", number,
-                             k, def->model, balloon->mesh.point_count - 1, def->strings[k].at);
-    return check_paths(balloon, location, number, fault);
-}
-
 bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, int number,
                   Fault* fault) {
     *balloon = (Balloon){.def = &def->balloons[number], .method = method};
@@ -253,11 +221,13 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, i
     MeshReport report = {0};
     if (!scene_model_path(def, balloon->def->model, path, fault) ||
         !mesh_load(path, &balloon->mesh, &report, fault) ||
-        !check_mesh(balloon, def->file, number, fault))
+        !balloon_check_mesh(balloon, def->file, number, fault))
         return false;
 
     set_color(balloon, number);
     make(balloon, def);
+    if (!balloon_check_position(&balloon->body, def->file, number, fault))
+        return false;
     balloon->good_x = new_array(real4, balloon->body.count);
     balloon->good_v = new_array(real4, balloon->body.count);
     balloon->v_start = new_array(real4, balloon->body.count);

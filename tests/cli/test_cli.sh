@@ -162,6 +162,54 @@ usage "no such option" "$balloon" run party --color red
 usage "needs a value" "$balloon" run party --seconds
 usage "only one" "$balloon" run party tether
 bad "went bad in step" "$balloon" run fails/long-step
+# --- numbers that the state does not hold, and counts that no number does
+bad "^balloon: --set .*young is 1e39, which is out of range in a state of float" \
+    "$balloon" run pear --set balloons.0.skin.membrane.young=1e39
+bad "per_particle is 1e-50, which is out of range" "$balloon" run party --set balloons.0.mass.per_particle=1e-50
+ok "double holds them" "$balloon" run party --seconds 0.002 --precision double --quiet --set balloons.0.inflation.rate=1e39
+bad "at 1e\+06 m a state of float resolves 0.12 m" "$balloon" run pear --set 'balloons.0.position=[1e6,0,0]'
+for bound in "--seconds 1e30" "--fps 1e30" "--seconds 1e12 --fps 1e12" "--set seconds=1e30"; do
+    bad "more (steps .*)?than can be counted" "$balloon" run cube $bound
+done
+
+# --- bytes that are not UTF-8: paths are bytes, scenes are text
+latin=$(printf '\xe4')
+cp assets/models/pillow.obj "$scratch/$latin.obj"
+cp assets/scenes/tether.yaml "$scratch/$latin.yaml"
+ok "a mesh with such a name" "$balloon" run "$scratch/$latin.obj" --seconds 0.01 --quiet
+ok "a scene with such a name" "$balloon" run "$scratch/$latin.yaml" --seconds 0.01 --quiet
+bad "there is no such scene or mesh" "$balloon" run "$latin"
+bad "no key '$latin'" "$balloon" run cube --set "$latin=1"
+bad "not YAML" "$balloon" run cube --set "gravity=$latin"
+bad "cannot be written as YAML" "$balloon" advise "$scratch/$latin.obj" --error 10%
+
+# --- a fault of an override names the override, and not a line that the user did not write
+bad "^balloon: --set balloons.0.inflation.law=gas: .*grid is open" \
+    "$balloon" run grid --set gravity=1 --set balloons.0.inflation.law=gas --set floor=-9
+bad "^balloon: --set method=xpbd: " "$balloon" run pear --method xpbd
+sed 's/step: .*/step: 5/' assets/scenes/tether.yaml >"$scratch/step.yaml"
+bad "step.yaml:[0-9]+: step must be" "$balloon" run "$scratch/step.yaml" --set gravity=1
+
+# --- files of others stay, but with --overwrite
+kept() { test "$(cat "$1")" = kept; }
+for file in kept.csv kept.obj kept.log kept.png kept.mp4; do echo kept >"$scratch/$file"; done
+bad "kept.csv is there and not made by balloon" "$balloon" run cube --csv "$scratch/kept.csv"
+bad "kept.obj is there and not made by balloon" "$balloon" run cube --mesh "$scratch/kept.obj"
+bad "kept.log is there and not made by balloon" "$balloon" run cube --record "$scratch/kept.log"
+for file in kept.png kept.mp4; do
+    bad "$file is there and not made by balloon" "$balloon" render cube --out "$scratch/$file"
+done
+for file in kept.csv kept.obj kept.log kept.png kept.mp4; do ok "$file stays" kept "$scratch/$file"; done
+small=(--seconds 0.05 --size 32x18 --quiet)
+for file in kept.png kept.mp4 own.gif own.webm own; do
+    ok "$file with --overwrite" "$balloon" render cube "${small[@]}" --out "$scratch/$file" --overwrite
+    ok "its own $file without" "$balloon" render cube "${small[@]}" --out "$scratch/$file"
+done
+echo kept >"$scratch/own/frame-00001.png"
+bad "frame-00001.png is there" "$balloon" render cube --out "$scratch/own"
+bad "log is read by this command" "$balloon" run party --input "$scratch/log" --record "$scratch/log"
+bad "t.obj is read by this command" "$balloon" run "$scratch/t.obj" --mesh "$scratch/t.obj"
+
 # what the guard does is said to people once, and to programs as a number
 "$balloon" run tether --seconds 0.1 --step 0.02 --report >"$scratch/report" 2>"$scratch/said"
 ok "the guard says into how many parts" grep -qE "step 0.02 s is above the largest stable one, [0-9.]+ s: each is made in 8 parts$" "$scratch/said"
