@@ -1,6 +1,7 @@
 #include "contact/broad_phase.h"
 
 #include "base/array.h"
+#include "contact/ball_triangle.h"
 
 double broad_phase_max_speed(const Body* body) {
     if (body->asleep)
@@ -14,7 +15,7 @@ double broad_phase_max_speed(const Body* body) {
 void broad_phase_refit(ContactSkin* skin) {
     if (skin->grown == 0)
         return;
-    bullet_skin_refit(skin->patches, 0);
+    bullet_skin_refit(skin->patches);
     bullet_skin_box(skin->patches, skin->low, skin->high);
     skin->grown = 0;
 }
@@ -30,17 +31,14 @@ int broad_phase_triangles(Contacts* contacts, ContactSkin* skin, const Sphere* s
                           double reach) {
     broad_phase_refit(skin);
     const double center[3] = {(double)sphere->x[0], (double)sphere->x[1], (double)sphere->x[2]};
-    int count;
-    while ((count = bullet_skin_near(skin->patches, center, reach, contacts->triangle,
-                                     contacts->contact_room)) >
-           contacts->contact_room - contacts->near_count) {
-        // three arrays of one capacity
-        const int full = contacts->contact_room;
-        array_reserve(contacts->contact, full, (int){full});
-        array_reserve(contacts->triangle, full, (int){full});
-        array_reserve(contacts->warm.impulse, full, contacts->contact_room);
+    for (;;) {
+        const int capacity = contacts->candidate_capacity;
+        const int count =
+            bullet_skin_near(skin->patches, center, reach, contacts->candidate, capacity);
+        if (count <= capacity)
+            return count;
+        array_reserve(contacts->candidate, capacity, contacts->candidate_capacity);
     }
-    return count;
 }
 
 double broad_phase_distance(Contacts* contacts, ContactSkin* skin, Sphere* sphere, double far) {
@@ -48,7 +46,8 @@ double broad_phase_distance(Contacts* contacts, ContactSkin* skin, Sphere* spher
         const int count = broad_phase_triangles(contacts, skin, sphere, fmin(reach, far));
         double distance = far;
         for (int k = 0; k < count; k++) {
-            const Contact contact = contact_make(sphere, skin->body, contacts->triangle[k], 1);
+            Contact contact;
+            ball_triangle_contact(&contact, sphere, skin->body, contacts->candidate[k], 1);
             distance = fmin(distance, (double)(contact.gap + sphere->radius));
         }
         if (distance < fmin(reach, far) || reach >= far)

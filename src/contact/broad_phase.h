@@ -15,7 +15,7 @@ void broad_phase_refit(ContactSkin* skin);
 /// Lower bound of a point's distance from the skin's box; below 0 where it may be inside [m].
 double broad_phase_box_distance(const ContactSkin* skin, double4 point);
 
-/// Triangles of a skin within reach of a ball's centre, into contacts->triangle. Returns the count.
+/// Triangles of a skin within reach of a ball's centre, into contacts->candidate. Returns the count.
 int broad_phase_triangles(Contacts* contacts, ContactSkin* skin, const Sphere* sphere,
                           double reach);
 

@@ -1,12 +1,10 @@
-/// Bullet's part, a C face on flat arrays: which triangles of a skin are near a ball, and what
-/// balls, floor and walls do to each other.
+/// Bullet's part: a C face of its trees of boxes (btDbvt), which find what may be near. All narrow
+/// phases, times and impulses are ours, for one solver must see all contacts of a part.
 ///
-/// Bullet keeps no state of ours: before each call positions and velocities are copied in, after it
-/// velocities are copied out. A skin is in patches of 64 triangles over the caller's own arrays; the
-/// boxes of the patches follow the skin and stand in one of Bullet's trees of boxes (btDbvt), which
-/// finds the patches near a ball. Bullet's own test of a sphere against each triangle is not used:
-/// it told nothing that the contact's nearest point does not tell again, and took 60 % of the time
-/// of all contacts.
+/// A skin is in patches of 64 triangles over the caller's own arrays; the boxes of the patches
+/// follow the skin and stand in one tree. The balls stand in another, in the boxes of their paths.
+/// Bullet's test of a sphere against each triangle is not used: it found nothing that the contact's
+/// nearest point does not find again, and took 60 % of the time of all contacts.
 #ifndef BALLOON_CONTACT_BULLET_H
 #define BALLOON_CONTACT_BULLET_H
 
@@ -16,21 +14,17 @@
 extern "C" {
 #endif
 
-typedef struct Bullet Bullet;
+typedef struct BulletBalls BulletBalls;
 typedef struct BulletSkin BulletSkin;
 
-Bullet* bullet_open(void);
-void bullet_close(Bullet* bullet);
+BulletBalls* bullet_balls_open(void);
+void bullet_balls_close(BulletBalls* balls);
 
-/// A static half-space: the floor or a wall. Balls stay on the side that the unit normal points to.
-/// friction multiplies the ball's own; restitution is the ball's.
-void bullet_add_plane(Bullet* bullet, const double point[3], const double normal[3]);
-
-/// Velocities and spins of all balls after h of sphere against sphere and sphere against plane:
-/// Bullet's own sequential impulses, scalar code path on every machine. Gravity has been added
-/// already by the caller; positions are read, not moved. Bodies follow the count, which may change
-/// from call to call.
-void bullet_solve(Bullet* bullet, Sphere* sphere, int count, double h);
+/// All pairs of balls, the lower number first and in rising order, whose paths x + t v, 0 <= t <= h,
+/// may come within `margin` of touching [m], and some whose boxes do. The count of balls may change
+/// from call to call. *pair: valid until the next call. Returns how many there are.
+int bullet_balls_near(BulletBalls* balls, const Sphere* sphere, int count, double h, double margin,
+                      const int (**pair)[2]);
 
 /// A skin over the caller's arrays, which must outlive it: triangle [triangle_count] of particle
 /// numbers, x [point_count] positions, read at the time of each call.
@@ -38,8 +32,8 @@ BulletSkin* bullet_skin_open(const int (*triangle)[3], int triangle_count, const
                              int point_count);
 void bullet_skin_close(BulletSkin* skin);
 
-/// Boxes of the patches to where the skin is now, grown by `margin` [m].
-void bullet_skin_refit(BulletSkin* skin, double margin);
+/// Boxes of the patches to where the skin is now.
+void bullet_skin_refit(BulletSkin* skin);
 
 /// The box of the whole skin at the last refit.
 void bullet_skin_box(const BulletSkin* skin, double low[3], double high[3]);

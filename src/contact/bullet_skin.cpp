@@ -1,10 +1,10 @@
-#include "contact/bullet_parts.hpp"
+#include "contact/bullet_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <vector>
+
+#include "contact/bullet.h"
 
 namespace {
 
@@ -12,11 +12,6 @@ constexpr int PATCH = 64; // triangles
 
 // A reach larger by this share, and by a few roundings of the coordinates, misses no triangle.
 constexpr double SLACK = 1e-3;
-
-struct Box {
-    real4 low;
-    real4 high;
-};
 
 constexpr real FAR = std::numeric_limits<real>::max();
 constexpr Box NOTHING = {{FAR, FAR, FAR, 0}, {-FAR, -FAR, -FAR, 0}};
@@ -79,7 +74,7 @@ std::uint64_t morton(real4 point, const Box& box) {
 struct BulletSkin {
     BulletSkin(const int (*triangle)[3], int triangle_count, const real4* x, int point_count);
 
-    void refit(real margin);
+    void refit();
     const std::vector<int>& near(real4 center, real reach);
 
     Box whole = NOTHING;
@@ -105,24 +100,6 @@ struct BulletSkin {
     void search_patch(int patch, real4 center, real reach);
 };
 
-namespace {
-
-btDbvtVolume volume_of(const Box& box) {
-    return btDbvtVolume::FromMM(btVector3(box.low[0], box.low[1], box.low[2]),
-                                btVector3(box.high[0], box.high[1], box.high[2]));
-}
-
-/// The patches whose boxes Bullet's tree finds.
-struct Hits : btDbvt::ICollide {
-    std::vector<int>* patch;
-
-    void Process(const btDbvtNode* leaf) {
-        patch->push_back(leaf->dataAsInt);
-    }
-};
-
-} // namespace
-
 BulletSkin::BulletSkin(const int (*triangle)[3], int triangle_count, const real4* x_,
                        int point_count)
     : x(x_) {
@@ -131,8 +108,8 @@ BulletSkin::BulletSkin(const int (*triangle)[3], int triangle_count, const real4
     const int patches = (int)particle_from.size() - 1;
     patch_box.resize((size_t)patches);
     for (int p = 0; p < patches; p++)
-        tree.insert(volume_of(Box{x[0], x[0]}), reinterpret_cast<void*>((std::intptr_t)p));
-    refit(0);
+        tree.insert(volume_of(Box{x[0], x[0]}), leaf_number(p));
+    refit();
     tree.optimizeTopDown();
 }
 
@@ -175,12 +152,11 @@ void BulletSkin::refit_node(btDbvtNode* node) {
     Merge(node->childs[0]->volume, node->childs[1]->volume, node->volume);
 }
 
-void BulletSkin::refit(real margin) {
-    const real4 grown = {margin, margin, margin, 0};
+void BulletSkin::refit() {
     whole = NOTHING;
     for (size_t p = 0; p < patch_box.size(); p++) {
-        Box box = box_of(x, &particle[particle_from[p]], particle_from[p + 1] - particle_from[p]);
-        box = {box.low - grown, box.high + grown};
+        const Box box =
+            box_of(x, &particle[particle_from[p]], particle_from[p + 1] - particle_from[p]);
         patch_box[p] = box;
         whole = {lower(whole.low, box.low), higher(whole.high, box.high)};
     }
@@ -199,10 +175,8 @@ void BulletSkin::search_patch(int patch, real4 center, real reach) {
 
 /// Numbers of the triangles whose boxes are within reach, in rising order.
 const std::vector<int>& BulletSkin::near(real4 center, real reach) {
-    hit.clear();
     found.clear();
-    Hits hits;
-    hits.patch = &hit;
+    Hits hits(&hit);
     const real4 around = {reach, reach, reach, 0};
     tree.collideTV(tree.m_root, volume_of({center - around, center + around}), hits);
     for (const int p : hit)
@@ -221,8 +195,8 @@ void bullet_skin_close(BulletSkin* skin) {
     delete skin;
 }
 
-void bullet_skin_refit(BulletSkin* skin, double margin) {
-    skin->refit((real)margin);
+void bullet_skin_refit(BulletSkin* skin) {
+    skin->refit();
 }
 
 void bullet_skin_box(const BulletSkin* skin, double low[3], double high[3]) {

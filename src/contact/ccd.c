@@ -6,13 +6,13 @@ enum { MAX_ITERATIONS = 32 };
 static const double min_drift = 1e-9; ///< [s] of a drift
 static const double rounding = 1e-2;  ///< [radii] more than the distance to a triangle is off by
 
-/// Relative to the ball no point of the triangle moves farther than its fastest corner: a triangle
+/// Relative to the point no point of the triangle moves farther than its fastest corner: a triangle
 /// beyond that distance needs no root.
 static bool out_of_reach(const Contact* c, double h) {
-    const double away = dlength(to_double4(c->lever_arm)) - rounding * (double)c->sphere->radius;
+    const double away = dlength(to_double4(c->lever[0].arm)) - rounding * (double)c->size;
     double fastest2 = 0;
-    for (int k = 0; k < 3; k++) {
-        const double4 v = to_double4(c->sphere->v) - to_double4(c->body->v[c->particle[k]]);
+    for (int k = 1; k < c->node_count; k++) {
+        const double4 v = to_double4(*c->node[0].velocity) - to_double4(*c->node[k].velocity);
         fastest2 = fmax(fastest2, ddot(v, v));
     }
     return away > 0 && h * h * fastest2 < away * away;
@@ -25,34 +25,27 @@ static double4 displacement(real4 x, real4 v, double h) {
 }
 
 bool ccd_passes_through(const Contact* c, double h) {
-    if (out_of_reach(c, h))
+    if (c->node_count < CONTACT_NODES || out_of_reach(c, h))
         return false;
-    double4 a[3], da[3];
-    for (int k = 0; k < 3; k++) {
-        const real4 x = c->body->x[c->particle[k]];
-        a[k] = to_double4(x);
-        da[k] = displacement(x, c->body->v[c->particle[k]], h);
+    double4 x[CONTACT_NODES], dx[CONTACT_NODES];
+    for (int k = 0; k < CONTACT_NODES; k++) {
+        x[k] = to_double4(*c->node[k].position);
+        dx[k] = displacement(*c->node[k].position, *c->node[k].velocity, h);
     }
-    const real4 x = c->sphere->x;
-    return triangle_crossing_time(to_double4(x), displacement(x, c->sphere->v, h), a, da) <= 1;
+    return triangle_crossing_time(x[0], dx[0], x + 1, dx + 1) <= 1;
 }
 
-/// Plastic impact: the ball and the triangle's particles get their common linear momentum's
-/// velocity, 0 if a particle is held.
+/// Plastic impact: all nodes get their common linear momentum's velocity, 0 if one is held.
 static void join(const Contact* c) {
-    double mass = (double)c->sphere->mass;
-    double4 momentum = mass * to_double4(c->sphere->v);
-    bool held = false;
-    for (int k = 0; k < 3; k++) {
-        const int i = c->particle[k];
-        held |= c->body->inverse_mass[i] <= 0;
-        mass += (double)c->body->mass[i];
-        momentum += (double)c->body->mass[i] * to_double4(c->body->v[i]);
+    double mass = 0;
+    double4 momentum = {0};
+    for (int k = 0; k < c->node_count; k++) {
+        mass += (double)c->node[k].mass;
+        momentum += (double)c->node[k].mass * to_double4(*c->node[k].velocity);
     }
-    const real4 v = held ? (real4){0, 0, 0, 0} : to_real4(momentum / mass);
-    c->sphere->v = v;
-    for (int k = 0; k < 3; k++)
-        c->body->v[c->particle[k]] = v;
+    const real4 v = mass < INFINITY ? to_real4(momentum / mass) : (real4){0, 0, 0, 0};
+    for (int k = 0; k < c->node_count; k++)
+        *c->node[k].velocity = v;
 }
 
 /// Join all pairs that cross until none does. False if the iterations run out.

@@ -8,115 +8,50 @@ enum {
 static const real tolerance = (real)1e-3; ///< [1] of the largest initial relative speed
 // an overlap is undone by at most a fifth in a drift and at a rate of at most 20 / s, so that short
 // drifts give no large speeds
-static const real max_overlap_share = (real)0.2;         ///< [1]
-static const real max_overlap_rate = 20;                 ///< [1/s]
+static const real max_overlap_share = (real)0.2; ///< [1]
+static const real max_overlap_rate = 20;         ///< [1/s]
+static const real max_overlap_radii = 2; ///< [radii/s] nothing is shot out of a deep overlap
 static const double rounding = 8 * (double)REAL_EPSILON; ///< [1] of velocities in a sum
 
-/// Weights of the point of triangle (a, b, c) nearest p.
-/// Source: C. Ericson, Real-Time Collision Detection, 2005, section 5.1.5.
-static void nearest(real4 p, real4 a, real4 b, real4 c, real weight[3]) {
-    const real4 ab = b - a, ac = c - a, ap = p - a;
-    const real d1 = dot(ab, ap), d2 = dot(ac, ap);
-    weight[0] = 1, weight[1] = 0, weight[2] = 0;
-    if (d1 <= 0 && d2 <= 0)
-        return;
-
-    const real4 bp = p - b;
-    const real d3 = dot(ab, bp), d4 = dot(ac, bp);
-    if (d3 >= 0 && d4 <= d3) {
-        weight[0] = 0, weight[1] = 1;
-        return;
+void contact_set_masses(Contact* contact) {
+    real others = 0, rotation = 0; // w^2 / m of the nodes after the first, |r|^2 / I
+    for (int k = 1; k < contact->node_count; k++)
+        others += contact->node[k].weight * contact->node[k].response;
+    for (int k = 0; k < contact->lever_count; k++) {
+        const ContactLever* lever = &contact->lever[k];
+        rotation += dot(lever->arm, lever->arm) * lever->inverse_inertia;
     }
-    const real vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-        weight[1] = d1 / (d1 - d3);
-        weight[0] = 1 - weight[1];
-        return;
-    }
-
-    const real4 cp = p - c;
-    const real d5 = dot(ab, cp), d6 = dot(ac, cp);
-    if (d6 >= 0 && d5 <= d6) {
-        weight[0] = 0, weight[2] = 1;
-        return;
-    }
-    const real vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-        weight[2] = d2 / (d2 - d6);
-        weight[0] = 1 - weight[2];
-        return;
-    }
-    const real va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        weight[2] = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        weight[1] = 1 - weight[2];
-        weight[0] = 0;
-        return;
-    }
-    weight[1] = vb / (va + vb + vc);
-    weight[2] = vc / (va + vb + vc);
-    weight[0] = 1 - weight[1] - weight[2];
+    const real translation = contact->node[0].weight * contact->node[0].response + others;
+    contact->normal_mass = 1 / translation; // arms are along n: an impulse along n turns nothing
+    contact->tangent_mass = 1 / (translation + rotation);
 }
 
-Contact contact_make(Sphere* sphere, Body* body, int triangle, real side) {
-    const int* corner = body->mesh->triangle[triangle];
-    const real4 a = body->x[corner[0]], b = body->x[corner[1]], c = body->x[corner[2]];
-    real4* v = body->v;
-    Contact contact = {.velocity = {&sphere->v, &v[corner[0]], &v[corner[1]], &v[corner[2]]},
-                       .spin = &sphere->spin,
-                       .friction = sphere->friction,
-                       .restitution = sphere->restitution,
-                       .sphere = sphere,
-                       .body = body,
-                       .triangle = triangle,
-                       .particle = {corner[0], corner[1], corner[2]}};
-    real weight[3];
-    nearest(sphere->x, a, b, c, weight);
-
-    const real4 p = weight[0] * a + weight[1] * b + weight[2] * c;
-    const real4 away = sphere->x - p;
-    const real distance = length(away);
-    if (distance > (real)1e-6 * sphere->radius) {
-        contact.normal = away / distance;
-    } else {
-        const real4 across = cross(b - a, c - a);
-        const real area = length(across);
-        contact.normal = area > 0 ? side / area * across : (real4){0, side, 0, 0};
-    }
-    contact.gap = distance - sphere->radius;
-    contact.lever_arm = -distance * contact.normal;
-
-    // effective masses 1 / (n . M^-1 n)
-    real skin = 0;
-    for (int k = 0; k < 3; k++) {
-        contact.weight[k + 1] = -weight[k];
-        contact.inverse_mass[k + 1] = -weight[k] * body->inverse_mass[corner[k]];
-        skin -= weight[k] * contact.inverse_mass[k + 1];
-    }
-    contact.weight[0] = 1;
-    contact.inverse_mass[0] = 1 / sphere->mass;
-    contact.inverse_inertia = 1 / sphere_inertia(sphere);
-    contact.normal_mass = 1 / (contact.inverse_mass[0] + skin);
-    contact.tangent_mass =
-        1 / (contact.inverse_mass[0] + skin + distance * distance * contact.inverse_inertia);
-    return contact;
-}
-
-/// sum_k w_k v_k: u without the spin, which changes u across n only.
+/// sum_k w_k v_k: u without the spins, which change u across n only.
 static real4 translation(const Contact* c) {
-    return *c->velocity[0] + c->weight[1] * *c->velocity[1] + c->weight[2] * *c->velocity[2] +
-           c->weight[3] * *c->velocity[3];
+    real4 u = c->node[0].weight * *c->node[0].velocity;
+    for (int k = 1; k < c->node_count; k++)
+        u += c->node[k].weight * *c->node[k].velocity;
+    return u;
+}
+
+/// sum_k spin_k x r_k
+static real4 rotation(const Contact* c) {
+    real4 u = {0, 0, 0, 0};
+    for (int k = 0; k < c->lever_count; k++)
+        u += cross(*c->lever[k].spin, c->lever[k].arm);
+    return u;
 }
 
 real4 contact_relative_velocity(const Contact* c) {
-    return translation(c) + cross(*c->spin, c->lever_arm);
+    return translation(c) + rotation(c);
 }
 
 /// Apply an impulse at the contact point to all nodes.
 static void apply(const Contact* c, real4 impulse) {
-    *c->spin += c->inverse_inertia * cross(c->lever_arm, impulse);
-    for (int k = 0; k < CONTACT_NODES; k++)
-        *c->velocity[k] += c->inverse_mass[k] * impulse;
+    for (int k = 0; k < c->lever_count; k++)
+        *c->lever[k].spin += c->lever[k].inverse_inertia * cross(c->lever[k].arm, impulse);
+    for (int k = 0; k < c->node_count; k++)
+        *c->node[k].velocity += c->node[k].response * impulse;
 }
 
 /// Solve one contact for its impulse, the others held. Returns the change of velocity.
@@ -135,7 +70,7 @@ static real solve_one(Contact* c, bool with_friction) {
 
     // projected on Coulomb's cone; an impulse along n leaves the tangential velocity as it was
     if (with_friction && c->friction > 0) {
-        const real4 slide = u - along * c->normal + cross(*c->spin, c->lever_arm);
+        const real4 slide = u - along * c->normal + rotation(c);
         real4 tangent_impulse = c->tangent_impulse - c->tangent_mass * slide;
         const real size = length(tangent_impulse), bound = c->friction * normal_impulse;
         if (size > bound)
@@ -151,31 +86,31 @@ static real solve_one(Contact* c, bool with_friction) {
 
 /// One Gauss-Seidel pass over all contacts, or over those not inactive. Returns the largest change
 /// of velocity.
-static real pass(Contact* contact, int count, bool all, bool with_friction) {
+static real pass(Contact* const* contact, int count, bool all, bool with_friction) {
     real max_change = 0;
     for (int k = 0; k < count; k++)
-        if (all || !contact[k].inactive)
-            max_change = real_max(max_change, solve_one(&contact[k], with_friction));
+        if (all || !contact[k]->inactive)
+            max_change = real_max(max_change, solve_one(contact[k], with_friction));
     return max_change;
 }
 
 /// Lower bounds of n.u' with the bounce and separation scaled by `scale`. Returns the largest
 /// initial relative speed.
-static real set_min_separation(Contact* contact, int count, real h, real scale) {
+static real set_min_separation(Contact* const* contact, int count, real h, real scale) {
     real max_speed2 = 0;
     for (int k = 0; k < count; k++) {
-        Contact* c = &contact[k];
+        Contact* c = contact[k];
         const real no_overlap = c->gap < 0 ? 0 : -c->gap / h;
-        c->min_separation_speed = c->separation_speed > 0
-                                      ? real_max(no_overlap, scale * c->separation_speed)
-                                      : no_overlap;
+        const real overlap_speed = (c->rigid ? 1 : scale) * c->overlap_speed;
+        const real separation = real_max(scale * c->bounce_speed, overlap_speed);
+        c->min_separation_speed = separation > 0 ? real_max(no_overlap, separation) : no_overlap;
         max_speed2 = real_max(max_speed2, dot(c->initial_velocity, c->initial_velocity));
     }
     return real_sqrt(max_speed2);
 }
 
 /// Iterate until a pass over all contacts changes nothing above the tolerance. Returns the passes.
-static int iterate(Contact* contact, int count, real h, real scale, bool with_friction) {
+static int iterate(Contact* const* contact, int count, real h, real scale, bool with_friction) {
     const real max_speed = set_min_separation(contact, count, h, scale);
     bool all = true;
     int iterations = 0;
@@ -193,9 +128,9 @@ static int iterate(Contact* contact, int count, real h, real scale, bool with_fr
 }
 
 /// Subtract all impulses from the velocities.
-static void undo(Contact* contact, int count) {
+static void undo(Contact* const* contact, int count) {
     for (int k = count - 1; k >= 0; k--) {
-        Contact* c = &contact[k];
+        Contact* c = contact[k];
         apply(c, -(c->normal_impulse * c->normal + c->tangent_impulse));
         c->normal_impulse = 0;
         c->tangent_impulse = (real4){0, 0, 0, 0};
@@ -205,44 +140,45 @@ static void undo(Contact* contact, int count) {
 /// Impulses P between relative velocities u before and u' after change the kinetic energy by
 /// sum P.(u + u') / 2, by whatever path they were found. Velocities, and so the energy, are known
 /// to rounding.
-static ContactReport energy_report(const Contact* contact, int count) {
+static ContactReport energy_report(Contact* const* contact, int count) {
     ContactReport report = {0};
     for (int k = 0; k < count; k++) {
-        const Contact* c = &contact[k];
+        const Contact* c = contact[k];
         if (c->normal_impulse <= 0)
             continue;
         const real4 impulse = c->normal_impulse * c->normal + c->tangent_impulse;
         const double before = (double)dot(impulse, c->initial_velocity);
         const double after = (double)dot(impulse, contact_relative_velocity(c));
         report.kinetic += 0.5 * (before + after);
-        report.moved += 0.5 * (fabs(before) + fabs(after));
-        report.rounded += rounding * (double)(length(impulse) * length(*c->velocity[0]));
+        report.allowed += rounding * (double)(length(impulse) * length(*c->node[0].velocity));
+        if (c->rigid) // this work in the next drift, and half of it in the energy
+            report.allowed += (double)(c->normal_impulse * c->overlap_speed);
     }
     return report;
 }
 
 /// Initial relative velocities, and the separation speeds for a bounce or out of an overlap.
-/// Returns whether any contact has one.
-static bool set_separation_speeds(Contact* contact, int count, real h) {
+/// Returns whether any contact has one that may be scaled.
+static bool set_separation_speeds(Contact* const* contact, int count, real h) {
     bool any = false;
     for (int k = 0; k < count; k++) {
-        Contact* c = &contact[k];
+        Contact* c = contact[k];
         c->initial_velocity = contact_relative_velocity(c);
         const real along = dot(c->normal, c->initial_velocity);
-        c->separation_speed =
-            c->gap < 0 ? -real_min(max_overlap_share / h, max_overlap_rate) * c->gap : 0;
-        if (c->first && along < -c->min_bounce_speed && -along * h >= c->gap)
-            c->separation_speed = real_max(c->separation_speed, -c->restitution * along);
-        any |= c->separation_speed > 0;
+        const real rate = real_min(max_overlap_share / h, max_overlap_rate);
+        c->overlap_speed = c->gap < 0 ? real_min(-rate * c->gap, max_overlap_radii * c->size) : 0;
+        const bool bounces = c->first && along < -c->min_bounce_speed && -along * h >= c->gap;
+        c->bounce_speed = bounces ? -c->restitution * along : 0;
+        any |= c->bounce_speed > 0 || (!c->rigid && c->overlap_speed > 0);
     }
     return any;
 }
 
 /// Apply the impulses that the warm start loaded.
-static bool apply_warm_start(Contact* contact, int count) {
+static bool apply_warm_start(Contact* const* contact, int count) {
     bool any = false;
     for (int k = 0; k < count; k++) {
-        Contact* c = &contact[k];
+        Contact* c = contact[k];
         if (c->normal_impulse <= 0)
             continue;
         c->tangent_impulse -= dot(c->tangent_impulse, c->normal) * c->normal;
@@ -252,7 +188,7 @@ static bool apply_warm_start(Contact* contact, int count) {
     return any;
 }
 
-ContactReport contact_solve(Contact* contact, int count, double step) {
+ContactReport contact_solve(Contact* const* contact, int count, double step) {
     const real h = (real)step;
     real scale = set_separation_speeds(contact, count, h) ? 1 : 0;
     bool warm = apply_warm_start(contact, count);
@@ -260,7 +196,7 @@ ContactReport contact_solve(Contact* contact, int count, double step) {
         const int iterations = iterate(contact, count, h, scale, true);
         ContactReport report = energy_report(contact, count);
         report.iterations = iterations;
-        if (report.kinetic <= report.rounded)
+        if (report.kinetic <= report.allowed)
             return report;
         undo(contact, count);
         if (warm) { // the warm start may be far off: again without it

@@ -4,7 +4,7 @@
 ///
 ///     safe step    how long until contacts must be found again (conservative advancement)
 ///     kick         velocities under the forces (the caller, solve/)
-///     velocities   balls' weight, contacts by Bullet, contacts of skins: velocities for the drift
+///     velocities   balls' weight, then one solve of all contacts: velocities for the drift
 ///     drift        balls move; the caller moves the skins
 ///
 /// so that nothing passes through: in one substep a ball and a skin overlap by at most half a radius,
@@ -14,9 +14,11 @@
 #ifndef BALLOON_CONTACT_CONTACTS_H
 #define BALLOON_CONTACT_CONTACTS_H
 
+#include "body/body.h"
 #include "contact/bullet.h"
 #include "contact/contact.h"
 #include "contact/contact_law.h"
+#include "contact/islands.h"
 #include "contact/plane.h"
 #include "contact/warm_start.h"
 
@@ -47,19 +49,22 @@ typedef struct Contacts {
     int skin_count;
     ContactSkin* skin; ///< [skin_count]
     int sphere_count;
-    int sphere_room;
-    Sphere* sphere;    ///< [sphere_room]
-    ContactPair* pair; ///< [sphere_room * skin_count], ball after ball
-    Bullet* bullet;    ///< NULL until the first ball
-    double drift;      ///< length of the last one [s]
-    int contact_count; ///< contacts that may touch in this part
-    int near_count;    ///< those, and behind them the triangles that are near
-    int contact_room;
-    Contact* contact; ///< [contact_room]
-    int* triangle;    ///< [contact_room]
-    WarmStart warm;   ///< what pushed in the last part
-    Sphere* good;     ///< [sphere_room] last good state, of the first good_count
-    int good_count;
+    int sphere_capacity;
+    Sphere* sphere; ///< [sphere_capacity]
+    int pair_capacity;
+    ContactPair* pair;  ///< [sphere_count * skin_count], ball after ball
+    BulletBalls* balls; ///< broad phase of the balls; NULL until the first one
+    double drift;       ///< length of the last one [s]
+    int contact_count;  ///< contacts that may touch in this part
+    int near_count;     ///< those, and behind them the triangles that are near
+    int contact_capacity;
+    Contact* contact; ///< [contact_capacity]
+    int candidate_capacity;
+    int* candidate;  ///< [candidate_capacity] features that a search found
+    Islands islands; ///< of the contacts that may touch
+    WarmStart warm;  ///< what pushed in the last part
+    int good_count, good_capacity;
+    Sphere* good; ///< [good_capacity] last good state of the balls
     long pass_throughs;
 } Contacts;
 

@@ -1,10 +1,9 @@
 /// The kinds of pairs that can touch: one file and one row each.
 ///
 /// A row states the time until the pair must be tested again (conservative advancement), adds its
-/// contacts to the list that contact_solve solves, and shortens the drift if the solve raised speeds. A
-/// function that a pair does not need is NULL: balls among themselves and on planes are found and
-/// solved by Bullet, and particles on planes have a closed form. A further pair of a ball needs a
-/// file, a row here and contacts in the list; without a ball nothing but `stop` is called.
+/// contacts to the list that contact_solve solves, shortens the drift if the solve raised speeds,
+/// and counts what the drift passes through. A function that a pair does not need is NULL. Without
+/// anything that may touch, each returns at once.
 #ifndef BALLOON_CONTACT_PAIR_H
 #define BALLOON_CONTACT_PAIR_H
 
@@ -14,19 +13,22 @@ typedef struct PairRow {
     const char* name;
     const char* about;
 
-    /// How long a ball may go until the pair must be looked at again [s]: at most `safe`, the
-    /// minimum over the rows and balls before; h is the whole step that was asked for.
-    double (*safe_step)(Contacts* contacts, int ball, double h, double safe);
+    /// How long everything may move until the pair must be looked at again [s]: greater than 0 and at
+    /// most h.
+    double (*safe_step)(Contacts* contacts, double h);
 
-    /// Add the contacts that may touch in a drift of length h to the list.
-    void (*gather)(Contacts* contacts, double h);
+    /// Add the contacts that may touch in a drift of length h, by pair_keep; they bear the number of
+    /// the row.
+    void (*gather)(Contacts* contacts, int row, double h);
 
-    /// Closed form, without the list: change velocities for a drift of length h. Returns whether any
-    /// changed.
-    bool (*stop)(Contacts* contacts, double h);
+    /// Closed form, before the list: change velocities for a drift of length h.
+    void (*stop)(Contacts* contacts, double h);
 
-    /// How much of h may be drifted after the solve.
+    /// How much of h may be drifted after the solve [s].
     double (*limit_drift)(Contacts* contacts, double h);
+
+    /// Count what passes through in a drift of length h, before it.
+    void (*count_passes)(Contacts* contacts, double h);
 } PairRow;
 
 extern const PairRow pair_ball_plane, pair_ball_ball, pair_ball_skin, pair_skin_plane;
@@ -34,13 +36,43 @@ extern const PairRow pair_ball_plane, pair_ball_ball, pair_ball_skin, pair_skin_
 enum { PAIR_ROWS = 4 };
 extern const PairRow* const pair_table[PAIR_ROWS];
 
+/// The next contact of the list, for a row to fill in; pair_keep adds it. Contacts of a row come in
+/// rising order of their pairs and features.
+Contact* pair_next(Contacts* contacts);
+
+/// Add the contact that pair_next gave. If it may touch in a drift of length h, it goes to the front
+/// of the list, for the solver, with the impulse that its pair had in the last part; else it stays
+/// behind, for the limits of the drift.
+void pair_keep(Contacts* contacts, bool may_touch, double h);
+
 /// [radii] by which the two may come nearer than touching in a substep.
 static const double pair_max_overlap = 0.5;
+
+/// [1/s] times h: a rigid pair that closes more slowly does not bounce. A ball at rest falls g h in a
+/// part; this is twice the Earth's g [m/s^2].
+static const double pair_min_bounce = 20;
+
+/// [radii] A rigid pair this near counts as touching.
+static const double pair_touching = 0.01;
 
 /// At most `safe`, and so long that two, `gap` apart, come no nearer than touching by more than that
 /// share of `radius` [s].
 static inline double pair_safe_time(double safe, double gap, double radius, double speed) {
     return speed > 0 ? fmin(safe, fmax(pair_max_overlap * radius, gap) / speed) : safe;
+}
+
+/// Whether nodes 1 to 3 are the corners of a triangle of a skin.
+static inline bool pair_has_triangle(const Contact* contact) {
+    return contact->node_count == CONTACT_NODES;
+}
+
+/// Node and lever of a ball on one side of a contact, `along` from its centre to the contact point
+/// against the normal if sign is 1, along it if -1 [m].
+static inline void pair_set_ball(Contact* contact, int k, Sphere* sphere, real sign, real along) {
+    contact->node[k] =
+        (ContactNode){&sphere->v, &sphere->x, sign, sign / sphere->mass, sphere->mass};
+    contact->lever[k] =
+        (ContactLever){-along * contact->normal, &sphere->spin, 1 / sphere_inertia(sphere)};
 }
 
 #endif

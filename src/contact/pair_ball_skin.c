@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "contact/ball_triangle.h"
 #include "contact/broad_phase.h"
 #include "contact/ccd.h"
 #include "contact/pair.h"
@@ -25,19 +26,31 @@ static double safe_step_to_skin(Contacts* contacts, ContactSkin* skin, Sphere* s
     return pair_safe_time(h, distance - radius, radius, speed);
 }
 
-static double safe_step(Contacts* contacts, int ball, double h, double safe) {
-    (void)h;
-    for (int b = 0; b < contacts->skin_count; b++)
-        safe = fmin(safe,
-                    safe_step_to_skin(contacts, &contacts->skin[b], &contacts->sphere[ball], safe));
-    return safe;
+/// How far the skin's particles may have come since the last refit. Corrections after the drift
+/// changed speeds: the larger of both bounds the motion.
+static void bound_motion(const Contacts* contacts, ContactSkin* skin) {
+    const double fastest = broad_phase_max_speed(skin->body);
+    skin->grown += contacts->drift * fmax(skin->fastest, fastest);
+    skin->fastest = fastest;
+}
+
+static double safe_step(Contacts* contacts, double h) {
+    if (contacts->sphere_count == 0)
+        return h;
+    for (int b = 0; b < contacts->skin_count; b++) {
+        ContactSkin* skin = &contacts->skin[b];
+        bound_motion(contacts, skin);
+        for (int s = 0; s < contacts->sphere_count; s++)
+            h = safe_step_to_skin(contacts, skin, &contacts->sphere[s], h);
+    }
+    return h;
 }
 
 /// Largest speed of a triangle's corners relative to the ball [m/s].
 static double max_relative_speed(const Contact* c) {
     real fastest = 0;
-    for (int k = 0; k < 3; k++) {
-        const real4 v = c->sphere->v - c->body->v[c->particle[k]];
+    for (int k = 1; k < c->node_count; k++) {
+        const real4 v = *c->node[0].velocity - *c->node[k].velocity;
         fastest = real_max(fastest, dot(v, v));
     }
     return sqrt((double)fastest);
@@ -45,16 +58,18 @@ static double max_relative_speed(const Contact* c) {
 
 /// Approach speed that the kick of this substep and the ball's weight alone gave: a contact at rest
 /// has it, too.
-static real kick_speed(const Contact* c, const real4* before, real fall) {
-    real4 skin = {0, fall, 0, 0};
-    for (int k = 0; k < 3; k++)
-        skin -= c->weight[k + 1] * (c->body->v[c->particle[k]] - before[c->particle[k]]);
-    return real_max(0, dot(c->normal, skin));
+static real kick_speed(const Contact* c, const ContactSkin* skin, real fall) {
+    real4 kick = {0, fall, 0, 0};
+    for (int k = 0; k < 3; k++) {
+        const int i = skin->body->mesh->triangle[c->feature][k];
+        kick -= c->node[k + 1].weight * (skin->body->v[i] - skin->before[i]);
+    }
+    return real_max(0, dot(c->normal, kick));
 }
 
-/// Contacts of the near triangles of one pair. Those that may touch in a drift of length h go to the
-/// front of the list, for the solver; the others stay behind them, for the limits of the drift.
-static void gather_pair(Contacts* contacts, int s, int b, double h) {
+/// Contacts of the near triangles of one pair. Those that may touch in a drift of length h are for
+/// the solver, the others for the limits of the drift.
+static void gather_pair(Contacts* contacts, int row, int s, int b, double h) {
     const int number = s * contacts->skin_count + b;
     ContactPair* pair = &contacts->pair[number];
     ContactSkin* skin = &contacts->skin[b];
@@ -68,30 +83,33 @@ static void gather_pair(Contacts* contacts, int s, int b, double h) {
     const int count =
         pair->seen <= reach ? broad_phase_triangles(contacts, skin, sphere, reach) : 0;
     for (int k = 0; k < count; k++) {
-        Contact contact = contact_make(sphere, skin->body, contacts->triangle[k], (real)pair->side);
-        contact.pair = number;
-        contact.first = !pair->touching;
-        touching |= contact.gap <= (real)1e-3 * sphere->radius;
-        Contact* end = &contacts->contact[contacts->near_count++];
-        *end = contact;
-        const double closed = 1.5 * max_relative_speed(&contact) * h + slack * radius;
-        if ((double)contact.gap <= closed && shared_feature_owned(&contact, skin->owners)) {
-            *end = contacts->contact[contacts->contact_count];
-            if (contact.first)
-                contact.min_bounce_speed = bounce_kicks * kick_speed(&contact, skin->before, fall);
-            else
-                warm_start_load(&contacts->warm, &contact, h);
-            contacts->contact[contacts->contact_count++] = contact;
+        Contact* contact = pair_next(contacts);
+        ball_triangle_contact(contact, sphere, skin->body, contacts->candidate[k],
+                              (real)pair->side);
+        contact->side[0] = s;
+        contact->side[1] = contacts->sphere_count + b;
+        contact->row = row;
+        contact->pair = number;
+        contact->first = !pair->touching;
+        touching |= contact->gap <= (real)1e-3 * sphere->radius;
+        const double closed = 1.5 * max_relative_speed(contact) * h + slack * radius;
+        const bool may_touch =
+            (double)contact->gap <= closed && shared_feature_owned(contact, skin->owners);
+        if (may_touch) {
+            contact->min_bounce_speed = bounce_kicks * kick_speed(contact, skin, fall);
             body_wake(skin->body);
         }
+        pair_keep(contacts, may_touch, h);
     }
     pair->touching = touching;
 }
 
-static void gather(Contacts* contacts, double h) {
+static void gather(Contacts* contacts, int row, double h) {
+    if (contacts->law == CONTACT_PAPER) // its penalty acts after the drift
+        return;
     for (int s = 0; s < contacts->sphere_count; s++)
         for (int b = 0; b < contacts->skin_count; b++)
-            gather_pair(contacts, s, b, h);
+            gather_pair(contacts, row, s, b, h);
 }
 
 /// The solve may have made things faster than they were when the near triangles were gathered: how
@@ -118,7 +136,9 @@ static double limit_by_unseen(Contacts* contacts, double h) {
 static double limit_by_near(const Contacts* contacts, double h) {
     for (int k = 0; k < contacts->near_count; k++) {
         const Contact* c = &contacts->contact[k];
-        const double radius = (double)c->sphere->radius;
+        if (!pair_has_triangle(c))
+            continue;
+        const double radius = (double)c->size;
         const double closable = fmax(min_drift * radius, (double)c->gap + (1 - core) * radius);
         const double speed = max_relative_speed(c);
         if (speed * h > closable)
@@ -128,8 +148,22 @@ static double limit_by_near(const Contacts* contacts, double h) {
 }
 
 static double limit_drift(Contacts* contacts, double h) {
+    if (contacts->sphere_count == 0 || contacts->law == CONTACT_PAPER)
+        return h;
     h = ccd_stop(contacts->contact, contacts->near_count, limit_by_near(contacts, h));
     return limit_by_unseen(contacts, h);
+}
+
+static void count_passes(Contacts* contacts, double h) {
+    for (int k = 0; k < contacts->near_count; k++) {
+        const Contact* c = &contacts->contact[k];
+        if (!pair_has_triangle(c) || !ccd_passes_through(c, h))
+            continue;
+        ContactPair* pair = &contacts->pair[c->pair];
+        pair->now = -pair->now;
+        if (pair->now != pair->side)
+            contacts->pass_throughs++;
+    }
 }
 
 const PairRow pair_ball_skin = {
@@ -138,4 +172,5 @@ const PairRow pair_ball_skin = {
     .safe_step = safe_step,
     .gather = gather,
     .limit_drift = limit_drift,
+    .count_passes = count_passes,
 };

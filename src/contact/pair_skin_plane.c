@@ -1,7 +1,11 @@
+#include <stdlib.h>
+
+#include "base/array.h"
 #include "contact/pair.h"
 
-static bool stop(Contacts* contacts, double h) {
-    bool any = false;
+static const real near_share = (real)0.05; ///< [ball radii] from a plane that counts as near
+
+static void stop(Contacts* contacts, double h) {
     for (int b = 0; contacts->plane_count > 0 && b < contacts->skin_count; b++) {
         Body* body = contacts->skin[b].body;
         if (body->asleep)
@@ -9,13 +13,77 @@ static bool stop(Contacts* contacts, double h) {
         const Extent x = extent_of(body->x, body->count), v = extent_of(body->v, body->count);
         for (int k = 0; k < contacts->plane_count; k++)
             if (plane_within(&contacts->plane[k], &x, &v, h))
-                any |= plane_stop(body, &contacts->plane[k], h);
+                plane_stop(body, &contacts->plane[k], h);
     }
-    return any;
+}
+
+/// The contact of a particle and a plane, in the list because a ball pushes the particle, too.
+static void add(Contacts* contacts, int row, int b, int feature, double h) {
+    Body* body = contacts->skin[b].body;
+    const int i = feature / contacts->plane_count;
+    const Plane* plane = &contacts->plane[feature % contacts->plane_count];
+    Contact* contact = pair_next(contacts);
+    *contact = (Contact){.node_count = 1,
+                         .normal = to_real4(plane->normal),
+                         .gap = plane_gap(plane, body->x[i]),
+                         .size = (real)INFINITY,
+                         .friction = plane_friction,
+                         .side = {contacts->sphere_count + b, NONE},
+                         .row = row,
+                         .pair = b,
+                         .feature = feature};
+    contact->node[0] =
+        (ContactNode){&body->v[i], &body->x[i], 1, body->inverse_mass[i], body->mass[i]};
+    contact_set_masses(contact);
+    pair_keep(contacts, true, h);
+}
+
+static int compare(const void* a, const void* b) {
+    return *(const int*)a - *(const int*)b;
+}
+
+/// Features of the particles of skin b that a ball may push onto a plane in a drift of length h, in
+/// rising order, each once. Returns the count.
+static int pushed_features(Contacts* contacts, int b, int touching, double h) {
+    int count = 0;
+    for (int j = 0; j < touching; j++) {
+        const Contact* c = &contacts->contact[j];
+        if (!pair_has_triangle(c) || c->side[1] != contacts->sphere_count + b)
+            continue;
+        for (int n = 1; n < c->node_count; n++) {
+            const ContactNode* node = &c->node[n];
+            const real speed = length(*node->velocity) + length(*c->node[0].velocity);
+            const real reach = 2 * (real)h * speed + near_share * c->size;
+            const int i = (int)(node->position - contacts->skin[b].body->x);
+            for (int k = 0; k < contacts->plane_count; k++)
+                if (plane_gap(&contacts->plane[k], *node->position) <= reach) {
+                    array_reserve(contacts->candidate, count, contacts->candidate_capacity);
+                    contacts->candidate[count++] = i * contacts->plane_count + k;
+                }
+        }
+    }
+    qsort(contacts->candidate, (size_t)count, sizeof(int), compare);
+    int kept = 0;
+    for (int j = 0; j < count; j++)
+        if (j == 0 || contacts->candidate[j] != contacts->candidate[j - 1])
+            contacts->candidate[kept++] = contacts->candidate[j];
+    return kept;
+}
+
+/// A ball pushes the skin onto a plane: its triangles and their corners on planes are solved as one.
+/// All other particles have the closed form.
+static void gather(Contacts* contacts, int row, double h) {
+    const int touching = contacts->contact_count;
+    for (int b = 0; contacts->plane_count > 0 && touching > 0 && b < contacts->skin_count; b++) {
+        const int count = pushed_features(contacts, b, touching, h);
+        for (int j = 0; j < count; j++)
+            add(contacts, row, b, contacts->candidate[j], h);
+    }
 }
 
 const PairRow pair_skin_plane = {
     .name = "skin-plane",
-    .about = "a skin's particles and the floor or a wall, each particle in closed form",
+    .about = "a skin's particles and the floor or a wall; in closed form where no ball pushes them",
+    .gather = gather,
     .stop = stop,
 };

@@ -1,7 +1,8 @@
 #include "contact/plane.h"
 
-static const real friction = (real)0.8; ///< [1] rubber on a dry floor
-static const real way_out = (real)0.2;  ///< [1] part of a depth that a drift may undo
+const real plane_friction = (real)0.8; // rubber on a dry floor
+
+static const real way_out = (real)0.2; ///< [1] part of a depth that a drift may undo
 static const real way_rate = 20; ///< [1/s] and part in a second, so that short drifts do not kick
 
 bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h) {
@@ -12,10 +13,9 @@ bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h
     return !(ddot(plane->normal, nearest - plane->point) > 2 * extent_length(v) * h);
 }
 
-bool plane_stop(Body* body, const Plane* plane, double step) {
+void plane_stop(Body* body, const Plane* plane, double step) {
     const real h = (real)step;
     const real4 n = to_real4(plane->normal), point = to_real4(plane->point);
-    bool any = false;
     for (int i = 0; i < body->count; i++) {
         const real gap = dot(n, body->x[i] - point);
         const real along = dot(n, body->v[i]);
@@ -27,9 +27,7 @@ bool plane_stop(Body* body, const Plane* plane, double step) {
 
         const real4 slide = body->v[i] - along * n;
         const real speed = length(slide);
-        const real kept = speed > friction * stop ? 1 - friction * stop / speed : 0;
+        const real kept = speed > plane_friction * stop ? 1 - plane_friction * stop / speed : 0;
         body->v[i] = (along + stop) * n + kept * slide;
-        any = true;
     }
-    return any;
 }

@@ -1,5 +1,5 @@
 /// The floor and walls: half-spaces that particles stop on, sliding no more than Coulomb's friction
-/// lets them. Balls meet the same planes in Bullet.
+/// lets them.
 #ifndef BALLOON_CONTACT_PLANE_H
 #define BALLOON_CONTACT_PLANE_H
 
@@ -11,12 +11,20 @@ typedef struct Plane {
     double4 normal; ///< of unit length, to the side where things are
 } Plane;
 
+/// Coulomb's coefficient of particles on planes.
+extern const real plane_friction;
+
+/// Distance from a plane, less than 0 behind it [m].
+static inline real plane_gap(const Plane* plane, real4 x) {
+    return dot(to_real4(plane->normal), x - to_real4(plane->point));
+}
+
 /// Whether any of the particles in the box x and as fast as v may come to the plane in a drift of
 /// length h, or is behind it.
 bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h);
 
 /// Change velocities so that no particle ends a drift of length h behind the plane. Inelastic; each
-/// particle for itself, so in closed form. Whether any had to stop.
-bool plane_stop(Body* body, const Plane* plane, double h);
+/// particle for itself, so in closed form.
+void plane_stop(Body* body, const Plane* plane, double h);
 
 #endif

@@ -6,6 +6,7 @@
 #define BALLOON_CONTACT_SHARED_FEATURE_H
 
 #include "contact/contact.h"
+#include "mesh/mesh.h"
 
 /// What a triangle owns: bit k for corner k, bit 3 + k for the edge from corner k to the next.
 /// [triangle_count], allocated.

@@ -11,17 +11,17 @@
 #include "contact/contact.h"
 
 typedef struct StoredImpulse {
-    int pair;              ///< number of ball and skin
-    int triangle;          ///< of the skin
-    real normal_impulse;   ///< of the first solve of the substep [N s]
-    real4 tangent_impulse; ///< [N s]
+    int row, pair, feature; ///< of the contact
+    real normal_impulse;    ///< of the first solve of the substep [N s]
+    real4 tangent_impulse;  ///< [N s]
 } StoredImpulse;
 
 typedef struct WarmStart {
-    double h;               ///< length of the substep that the impulses are from [s]
-    int count;              ///< in rising order of pairs, and of triangles within a pair
-    int next;               ///< first that warm_start_load has not passed
-    StoredImpulse* impulse; ///< [capacity of the list of contacts]
+    double h;  ///< length of the substep that the impulses are from [s]
+    int count; ///< in rising order of rows, pairs and features
+    int next;  ///< first that warm_start_load has not passed
+    int capacity;
+    StoredImpulse* impulse; ///< [capacity]
 } WarmStart;
 
 /// Load a contact's stored impulse, scaled to a substep of length h. Contacts must come in the order

@@ -221,13 +221,13 @@ static void walls_stop_balls_and_skins(void** state) {
     world_close(&world);
 }
 
-/// A scene with no ball is the same as if there were no contacts: Bullet is not there.
+/// A scene with no ball is the same as if there were no contacts: Bullet's tree is not there.
 static void a_scene_with_no_ball_pays_nothing(void** state) {
     (void)state;
     World world;
     WORLD_OF(&world, "tether");
     run_for(&world, 0.2);
-    assert_null(world.contacts.bullet);
+    assert_null(world.contacts.balls);
     assert_null(world.contacts.contact);
     world_close(&world);
 }

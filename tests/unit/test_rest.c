@@ -149,7 +149,7 @@ static double outermost_contact(const World* world) {
     for (int k = 0; k < world->contacts.contact_count; k++) {
         const Contact* c = &world->contacts.contact[k];
         if (c->normal_impulse > 0)
-            most = fmax(most, radius_of(to_double4(c->lever_arm)));
+            most = fmax(most, radius_of(to_double4(c->lever[0].arm)));
     }
     return most;
 }

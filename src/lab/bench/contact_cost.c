@@ -113,7 +113,7 @@ static int count_touching(const Contacts* contacts, int* pushing) {
     for (int s = 0; s < contacts->sphere_count; s++) {
         int pushed = 0;
         for (int k = 0; k < contacts->contact_count; k++)
-            pushed += contacts->contact[k].sphere == &contacts->sphere[s] &&
+            pushed += contacts->contact[k].node[0].velocity == &contacts->sphere[s].v &&
                       contacts->contact[k].normal_impulse > 0;
         touching += contacts->pair[s].touching;
         *pushing += pushed;

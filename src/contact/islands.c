@@ -1,0 +1,61 @@
+#include "contact/islands.h"
+
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "mesh/counting_sort.h"
+#include "mesh/mesh.h"
+
+static void reserve(Islands* islands, int count, int side_count) {
+    if (count > islands->contact_capacity || side_count > islands->side_capacity) {
+        islands_close(islands);
+        islands->contact_capacity = 2 * count;
+        islands->side_capacity = 2 * side_count;
+        islands->start = new_array(int, 2 * count + 1);
+        islands->contact = new_array(Contact*, 2 * count);
+        islands->key = new_array(int, 2 * count);
+        islands->order = new_array(int, 2 * count);
+        islands->parent = new_array(int, 2 * side_count);
+        islands->island = new_array(int, 2 * side_count);
+    }
+    for (int i = 0; i < side_count; i++) {
+        islands->parent[i] = i;
+        islands->island[i] = NONE;
+    }
+}
+
+/// Root of a side's tree; halves the path on the way.
+static int root(int* parent, int side) {
+    while (parent[side] != side)
+        side = parent[side] = parent[parent[side]];
+    return side;
+}
+
+void islands_find(Islands* islands, Contact* contact, int count, int side_count) {
+    reserve(islands, count, side_count);
+    int* parent = islands->parent;
+    for (int k = 0; k < count; k++)
+        if (contact[k].side[1] != NONE)
+            parent[root(parent, contact[k].side[1])] = root(parent, contact[k].side[0]);
+
+    islands->count = 0;
+    for (int k = 0; k < count; k++) {
+        int* number = &islands->island[root(parent, contact[k].side[0])];
+        if (*number == NONE)
+            *number = islands->count++;
+        islands->key[k] = *number;
+    }
+    counting_sort(islands->key, count, islands->count, islands->start, islands->order);
+    for (int k = 0; k < count; k++)
+        islands->contact[k] = &contact[islands->order[k]];
+}
+
+void islands_close(Islands* islands) {
+    free(islands->start);
+    free(islands->contact);
+    free(islands->key);
+    free(islands->order);
+    free(islands->parent);
+    free(islands->island);
+    *islands = (Islands){0};
+}
