@@ -1,13 +1,13 @@
 /// SIMD vectors, for kernels that compute the same for many particles or elements.
 ///
 /// Arrays hold groups of eight numbers on every machine. A `lanes` holds WIDE of them, as many as a
-/// register, and a kernel walks through the eight in steps of WIDE. (gcc keeps vectors that are wider
-/// than a register in memory and compares them number by number.)
+/// register, and a kernel walks through the eight in steps of WIDE. (gcc keeps vectors that are
+/// wider than a register in memory and compares them number by number.)
 ///
-/// Operators act lane by lane. A kernel's file is compiled for the baseline of an architecture and for
-/// newer machines (base/cpu.h). All that differs between them is in this file: it moves data only, so
-/// the bits are the same as long as sums over lanes run in the order of the lanes. Masks are integers
-/// of the same size: all bits set where true.
+/// Operators act lane by lane. A kernel's file is compiled for the baseline of an architecture and
+/// for newer machines (base/cpu.h). All that differs between them is in this file: it moves data
+/// only, so the bits are the same as long as sums over lanes run in the order of the lanes. Masks
+/// are integers of the same size: all bits set where true.
 #ifndef BALLOON_BASE_LANES_H
 #define BALLOON_BASE_LANES_H
 
@@ -38,7 +38,8 @@ typedef real lanes __attribute__((vector_size(WIDE * sizeof(real))));
 typedef lane_bits lane_mask __attribute__((vector_size(WIDE * sizeof(real))));
 typedef double lanes_double __attribute__((vector_size(WIDE * sizeof(double))));
 
-/// Where the `lanes` that holds number n begins within its group of eight, for n a multiple of WIDE.
+/// Where the `lanes` that holds number n begins within its group of eight, for n a multiple of
+/// WIDE.
 static inline int lane_of(int n) {
     return WIDE == LANES ? 0 : n % LANES;
 }
@@ -63,13 +64,13 @@ static inline lanes lanes_select(lane_mask which, lanes yes, lanes no) {
 }
 
 /// Absolute values.
-static inline lanes lanes_size(lanes a) {
+static inline lanes lanes_abs(lanes a) {
     const lanes minus = -(lanes){0};
     return (lanes)((lane_mask)a & ~(lane_mask)minus);
 }
 
-/// The smaller and the larger of each lane; b where one is not a number.
-static inline lanes lanes_lower(lanes a, lanes b) {
+/// Minimum and maximum lane by lane; b where one is not a number.
+static inline lanes lanes_min(lanes a, lanes b) {
 #if WIDE == 8
     return (lanes)_mm256_min_ps((__m256)a, (__m256)b);
 #else
@@ -77,7 +78,7 @@ static inline lanes lanes_lower(lanes a, lanes b) {
 #endif
 }
 
-static inline lanes lanes_higher(lanes a, lanes b) {
+static inline lanes lanes_max(lanes a, lanes b) {
 #if WIDE == 8
     return (lanes)_mm256_max_ps((__m256)a, (__m256)b);
 #else
@@ -264,7 +265,8 @@ static inline void lanes_sum(double4* sum, lanes a) {
 #endif
 }
 
-/// sum[k / 4][k % 4] += a[k - lane] for k = lane … lane + WIDE - 1: each four lanes have their own sum.
+/// sum[k / 4][k % 4] += a[k - lane] for k = lane … lane + WIDE - 1: each four lanes have their own
+/// sum.
 static inline void lanes_sum_apart(double4* sum, int lane, lanes a) {
 #if WIDE == 8
     sum[lane / 4] += to_double4(lanes_low(a));

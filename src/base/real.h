@@ -15,14 +15,14 @@
 typedef double real;
 #define REAL_NAME "double"
 #define REAL_EPSILON DBL_EPSILON
-#define REAL_LEAST DBL_MIN // normal and above 0
-#define REAL_MOST DBL_MAX
+#define REAL_MIN_POSITIVE DBL_MIN // normal and above 0
+#define REAL_MAX DBL_MAX
 #else
 typedef float real;
 #define REAL_NAME "float"
 #define REAL_EPSILON FLT_EPSILON
-#define REAL_LEAST FLT_MIN
-#define REAL_MOST FLT_MAX
+#define REAL_MIN_POSITIVE FLT_MIN
+#define REAL_MAX FLT_MAX
 #endif
 
 static inline real real_sqrt(real a) {

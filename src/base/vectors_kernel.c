@@ -39,7 +39,7 @@ static real max_squared(const real4* a, int count) {
     int i = 0;
     for (; i + WIDE <= count; i += WIDE) {
         const Lanes3 v = lanes3_load(&a[i]);
-        largest = lanes_higher(lanes3_dot(v, v), largest);
+        largest = lanes_max(lanes3_dot(v, v), largest);
     }
     real all = 0;
     for (int k = 0; k < WIDE; k++)

@@ -171,7 +171,7 @@ void body_push(Body* body, double h) {
     push(body->v, body->f, body->inverse_mass, body->count, (real)h);
 }
 
-/// What the parts of a drift are given.
+/// Arguments of the tasks of a drift.
 typedef struct Drift {
     Body* body;
     real h;

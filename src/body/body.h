@@ -1,7 +1,8 @@
 /// One balloon's state: particles on a mesh, and what its scene lists to act on them.
 ///
-/// What a scene does not name is not stored: counts are 0 and arrays NULL. Positions and velocities
-/// are the state; everything else follows from the scene. `body` holds the data, `force/` acts.
+/// Features that a scene does not name take no memory: counts are 0 and arrays NULL. Positions and
+/// velocities are the state; everything else follows from the scene. `body` holds the data,
+/// `force/` acts.
 #ifndef BALLOON_BODY_BODY_H
 #define BALLOON_BODY_BODY_H
 
@@ -36,7 +37,7 @@ typedef struct Body {
     double size;        ///< longest side of the first bounding box [m]
     double scale;       ///< first lengths over the mesh's [1]
     bool asleep;        ///< it does not move, and no force on it is computed (world/rest.h)
-    int still;          ///< looks since it last moved or was touched
+    int still;          ///< rest checks since it last moved or was touched
 
     double gravity; ///< [m/s^2] downward, 0: none
     Springs springs;
@@ -46,12 +47,12 @@ typedef struct Body {
     Inflation inflation;
     double force_parameter[FORCES_MAX][FORCE_PARAMETERS_MAX]; ///< by row of the table of forces and
         ///< in the row's order (force/force.h)
-    String* string; ///< [string_capacity] the first string_count are tied
+    String* string; ///< [string_capacity] the first string_count are in use
     int string_count;
     int string_capacity;
 } Body;
 
-/// Where a mesh's points go: x = position + turn(scale (point - center)).
+/// Transform of a mesh's points: x = position + rotation(scale (point - center)).
 typedef struct Placement {
     double4 center;
     double scale;
@@ -62,25 +63,25 @@ typedef struct Placement {
 /// Particles of equal mass [kg] at the placed points of the mesh, at rest, with no forces.
 void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass);
 
-/// Give the body springs, with rest lengths from where its particles are now.
+/// Give the body springs, with rest lengths from the present positions.
 /// stiffness: of each kind [N/m], 0 for kinds that do not exist.
 void body_add_springs(Body* body, const double stiffness[SPRING_KINDS], SpringLaw law);
 
-/// Which stiffness of a spring acts from now on [N/m].
-static inline void body_stiffen(Body* body, int spring, real stiffness) {
+/// Set the present stiffness of a spring [N/m].
+static inline void body_set_stiffness(Body* body, int spring, real stiffness) {
     body->springs.active[spring] = stiffness;
-    slices_stiffen(&body->slices, spring, stiffness);
+    slices_set_stiffness(&body->slices, spring, stiffness);
 }
 
-/// Make the neighbourhoods again, after springs were changed by hand.
+/// Make the slices again, after springs were changed.
 void body_slice(Body* body);
 
 void body_add_torsion(Body* body, double stiffness);
 
-/// Hold the particles on the rim of an open mesh where they are. Call before body_add_springs.
+/// Hold the particles on the rim of an open mesh fixed. Call before body_add_springs.
 void body_hold_rim(Body* body);
 
-/// Give the body a skin of rubber at rest where it is now, and the mass of that rubber.
+/// Give the body a skin of rubber, at rest at the present positions, and that rubber's mass.
 /// thickness: [count] at the particles [m]
 void body_add_membrane(Body* body, const double* thickness, const Rubber* rubber);
 

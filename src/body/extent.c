@@ -11,20 +11,20 @@ static const ExtentKernels* best_kernels(void) {
     return &extent_baseline;
 }
 
-enum { PARTS_MOST = 64, PART_LEAST = 4096 }; ///< [1], [vectors]
+enum { PARTS_MAX = 64, PART_SIZE_MIN = 4096 }; ///< [1], [vectors]
 
-/// What the parts are given, and where they put what they find.
+/// Arguments and results of the tasks.
 typedef struct Job {
     const real4* a;
     int count, parts;
-    real most;
+    real max;
     Extent* extent; ///< [parts], or
     bool* within;   ///< [parts]
 } Job;
 
 static int parts_for(int count) {
-    const int parts = count / PART_LEAST + 1;
-    return parts < PARTS_MOST ? parts : PARTS_MOST;
+    const int parts = count / PART_SIZE_MIN + 1;
+    return parts < PARTS_MAX ? parts : PARTS_MAX;
 }
 
 static int part_from(const Job* job, int part) {
@@ -38,7 +38,7 @@ static void part_extent(void* self, int part) {
 }
 
 Extent extent_of(const real4* a, int count) {
-    Extent found[PARTS_MOST];
+    Extent found[PARTS_MAX];
     const int parts = parts_for(count);
     crew_run(part_extent, &(Job){.a = a, .count = count, .parts = parts, .extent = found}, parts);
     Extent all = found[0];
@@ -53,13 +53,13 @@ Extent extent_of(const real4* a, int count) {
 static void part_within(void* self, int part) {
     const Job* job = self;
     const int from = part_from(job, part), to = part_from(job, part + 1);
-    job->within[part] = best_kernels()->within(&job->a[from], to - from, job->most);
+    job->within[part] = best_kernels()->within(&job->a[from], to - from, job->max);
 }
 
-bool all_within(const real4* a, int count, real most) {
-    bool found[PARTS_MOST];
+bool all_within(const real4* a, int count, real max) {
+    bool found[PARTS_MAX];
     const int parts = parts_for(count);
-    Job job = {.a = a, .count = count, .parts = parts, .most = most, .within = found};
+    Job job = {.a = a, .count = count, .parts = parts, .max = max, .within = found};
     crew_run(part_within, &job, parts);
     for (int part = 0; part < parts; part++)
         if (!found[part])
@@ -70,8 +70,8 @@ bool all_within(const real4* a, int count, real most) {
 double extent_length(const Extent* extent) {
     double sum = 0;
     for (int k = 0; k < 3; k++) {
-        const double most = fmax(-(double)extent->low[k], (double)extent->high[k]);
-        sum += most * most;
+        const double max = fmax(-(double)extent->low[k], (double)extent->high[k]);
+        sum += max * max;
     }
     return sqrt(sum);
 }

@@ -1,4 +1,4 @@
-/// Between which values the vectors of an array are: enough to see that nothing is near or wrong.
+/// Bounding box of an array of vectors: a cheap test for "nothing is near" and "all is finite".
 #ifndef BALLOON_BODY_EXTENT_H
 #define BALLOON_BODY_EXTENT_H
 
@@ -14,16 +14,16 @@ typedef struct Extent {
 /// a: [count], at least one.
 Extent extent_of(const real4* a, int count);
 
-/// No vector is longer.
+/// Upper bound on the length of the vectors in the box.
 double extent_length(const Extent* extent);
 
-/// Whether all components are between -most and most; what is not a number is not.
-bool all_within(const real4* a, int count, real most);
+/// Whether all components are between -max and max; false if one is not a number.
+bool all_within(const real4* a, int count, real max);
 
-/// The loops on the plainest machine and on this one (base/cpu.h).
+/// The loops, compiled once for each kind of machine (base/cpu.h).
 typedef struct ExtentKernels {
     Extent (*extent)(const real4* a, int count);
-    bool (*within)(const real4* a, int count, real most);
+    bool (*within)(const real4* a, int count, real max);
 } ExtentKernels;
 
 extern const ExtentKernels extent_baseline;

@@ -17,7 +17,7 @@
 #include "base/vec.h"
 
 typedef enum InflationLaw {
-    INFLATE_NONE, ///< nothing is blown up
+    INFLATE_NONE, ///< no inflation
     INFLATE_AREA,
     INFLATE_PRESSURE,
     INFLATE_GAS,
@@ -25,7 +25,7 @@ typedef enum InflationLaw {
 } InflationLaw;
 extern const char* const inflation_law_name[INFLATION_LAWS];
 
-/// What fills a balloon: a table.
+/// Gases that can fill a balloon: a table.
 typedef struct Filling {
     const char* name;
     double density; ///< over that of air at the same pressure and temperature [1]
@@ -53,15 +53,15 @@ typedef struct Inflation {
     real4* gradient;     ///< [count] dV/dx of the last evaluation [m^2]
     double area;         ///< A of the last evaluation [m^2], area only
     double volume;       ///< V of the last evaluation [m^3], gas only
-    double pressure;     ///< p when its tangent was last readied [Pa]
-    double slope;        ///< dp/dV then [Pa/m^3]
+    double pressure;     ///< p of the last update of the tangent [Pa]
+    double slope;        ///< dp/dV of the last update of the tangent [Pa/m^3]
 } Inflation;
 
 /// Gauge pressure of a gas in a volume [Pa], and how it changes with the volume [Pa/m^3].
 double gas_pressure(const Inflation* gas, double volume);
 double gas_slope(const Inflation* gas, double volume);
 
-/// Energy of gas and surroundings, of which the pressure is -dE/dV [J].
+/// Energy E(V) of gas and surroundings; the gauge pressure is -dE/dV [J].
 double gas_energy(const Inflation* gas, double volume);
 
 /// Mass of the gas inside [kg].

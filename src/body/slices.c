@@ -6,12 +6,12 @@
 #include "base/memory.h"
 #include "mesh/counting_sort.h"
 
-/// A neighbour, and the particle's end of its spring to it.
+/// A neighbor, and the particle's end of its spring to it.
 typedef struct Slot {
     int neighbour, end;
 } Slot;
 
-/// What the slots are made from, and those of one particle.
+/// The input of slices_make, and the slots of the particle at hand.
 typedef struct Maker {
     const Mesh* mesh;
     const Springs* springs;
@@ -79,8 +79,8 @@ static Corners first_face(const Maker* maker, int a) {
     return first;
 }
 
-/// The faces around a point in their order, b and c of each into `ring`. Returns the pairs. The
-/// doctor lets no point through where two rings touch.
+/// Fill `ring` with b and c of the faces around a point, in order; returns the number of pairs. The
+/// mesh doctor refuses points where two rings touch, so there is one ring.
 static int find_ring(Maker* maker, int a, int (*ring)[2]) {
     const Mesh* mesh = maker->mesh;
     const int faces = mesh->point_face_from[a + 1] - mesh->point_face_from[a];
@@ -114,7 +114,7 @@ static int by_neighbour(const void* a, const void* b) {
 
 /// Slots beside the ring, by the numbers of their neighbours: then they are in the same directions
 /// all along a front.
-static void sort_left(Maker* maker) {
+static void sort_remaining(Maker* maker) {
     const int from = 2 * maker->faces, count = maker->slots - from;
     for (int k = 0; k < count; k++)
         maker->slot[k] = (Slot){maker->neighbour[from + k], maker->end[from + k]};
@@ -125,7 +125,7 @@ static void sort_left(Maker* maker) {
     }
 }
 
-/// The slots of one particle: its ring, and the springs that are left.
+/// Make the slots of one particle: its ring, then the remaining springs.
 static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
     const Mesh* mesh = maker->mesh;
     const Springs* springs = maker->springs;
@@ -146,7 +146,7 @@ static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
         if (maker->met[neighbour] == end)
             put(maker, neighbour);
     }
-    sort_left(maker);
+    sort_remaining(maker);
 }
 
 /// Is face k of the maker's particle counted there?
@@ -156,7 +156,7 @@ static bool is_counted(const Maker* maker, int particle, int k) {
     return is_lowest(particle, (Corners){at[0], at[1], next});
 }
 
-/// How many slots each slice has, and pairs of them up to the last one that is counted.
+/// Count the slots of each slice, and the pairs up to its last counted face. Returns all slots.
 static int count_slots(Slices* slices, Maker* maker, int count, int (*ring)[2]) {
     for (int s = 0; s < slices->count; s++) {
         int beside = 0, counted = 0;
@@ -174,8 +174,8 @@ static int count_slots(Slices* slices, Maker* maker, int count, int (*ring)[2]) 
     return slices->from[slices->count];
 }
 
-/// Put the slots of the maker's particle where they belong, and fill up what it has fewer.
-static void take_lane(Slices* slices, const Maker* maker, int particle) {
+/// Copy the slots of the maker's particle to its lane of the slice, and pad the rest.
+static void copy_lane(Slices* slices, const Maker* maker, int particle) {
     const int slice = particle / LANES, lane = particle % LANES;
     const int ring = 2 * maker->faces, rings = 2 * slices->faces[slice];
     const int from = slices->from[slice], slots = slices->from[slice + 1] - from;
@@ -183,7 +183,7 @@ static void take_lane(Slices* slices, const Maker* maker, int particle) {
         const int own = k < rings ? (k < ring ? k : NONE) : k - rings + ring;
         const bool is = own != NONE && own < maker->slots;
         const int neighbour = is ? maker->neighbour[own] : ring ? maker->neighbour[0] : particle;
-        slices->place[from + k][lane] = (uint32_t)((size_t)neighbour * sizeof(real4));
+        slices->offset[from + k][lane] = (uint32_t)((size_t)neighbour * sizeof(real4));
         if (!is || maker->end[own] == NONE)
             continue;
         const int end = maker->end[own];
@@ -196,18 +196,18 @@ static void take_lane(Slices* slices, const Maker* maker, int particle) {
             slices->counted[slices->counted_from[slice] + k][lane] = 1;
 }
 
-static bool is_row(const uint32_t place[LANES]) {
+static bool is_contiguous(const uint32_t offset[LANES]) {
     for (int k = 1; k < LANES; k++)
-        if (place[k] != place[k - 1] + sizeof(real4))
+        if (offset[k] != offset[k - 1] + sizeof(real4))
             return false;
     return true;
 }
 
-static int most_between(const int* from, int count) {
-    int most = 0;
+static int max_difference(const int* from, int count) {
+    int max = 0;
     for (int i = 0; i < count; i++)
-        most = from[i + 1] - from[i] > most ? from[i + 1] - from[i] : most;
-    return most;
+        max = from[i + 1] - from[i] > max ? from[i + 1] - from[i] : max;
+    return max;
 }
 
 void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* springs) {
@@ -223,23 +223,23 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     for (int i = 0; i < count; i++)
         maker.met[i] = maker.beside[i][0] = maker.beside[i][1] = NONE;
     slices->open = mesh && !mesh->closed;
-    const int pairs = mesh ? most_between(mesh->point_face_from, count) + 1 : 0;
+    const int pairs = mesh ? max_difference(mesh->point_face_from, count) + 1 : 0;
     int(*ring)[2] = new_array(int[2], pairs);
 
-    int most = 2 * pairs;
+    int max = 2 * pairs;
     if (springs) {
         maker.spring_from = new_array(int, count + 1);
         maker.spring = new_array(int, 2 * springs->count);
         counting_sort(springs->end[0], 2 * springs->count, count, maker.spring_from, maker.spring);
-        most += most_between(maker.spring_from, count);
+        max += max_difference(maker.spring_from, count);
         slices->spring = new_array(int[2], springs->count);
     }
-    maker.neighbour = new_array(int, most);
-    maker.end = new_array(int, most);
-    maker.slot = new_array(Slot, most);
+    maker.neighbour = new_array(int, max);
+    maker.end = new_array(int, max);
+    maker.slot = new_array(Slot, max);
 
     const int slots = count_slots(slices, &maker, count, ring);
-    slices->place = new_array(uint32_t[LANES], slots);
+    slices->offset = new_array(uint32_t[LANES], slots);
     slices->counted = new_array(real[LANES], slices->counted_from[slices->count]);
     if (springs) {
         slices->stiffness = new_array(real[LANES], slots);
@@ -247,13 +247,13 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     }
     for (int i = 0; i < count; i++) {
         make_lane(&maker, i, ring);
-        take_lane(slices, &maker, i);
+        copy_lane(slices, &maker, i);
     }
-    slices->row = new_array(bool, slots);
+    slices->contiguous = new_array(bool, slots);
     for (int k = 0; k < slots; k++)
-        slices->row[k] = is_row(slices->place[k]);
+        slices->contiguous[k] = is_contiguous(slices->offset[k]);
     for (int k = 0; k < 3; k++)
-        slices->line[k] = new_array(real, slices->count * LANES);
+        slices->coordinate[k] = new_array(real, slices->count * LANES);
     free(ring);
     free(maker.met);
     free(maker.beside);
@@ -270,10 +270,10 @@ void slices_free(Slices* slices) {
     free(slices->counted_from);
     free(slices->counted);
     free(slices->sum);
-    free(slices->place);
-    free(slices->row);
+    free(slices->offset);
+    free(slices->contiguous);
     for (int k = 0; k < 3; k++)
-        free(slices->line[k]);
+        free(slices->coordinate[k]);
     free(slices->stiffness);
     free(slices->rest);
     free(slices->spring);

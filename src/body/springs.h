@@ -30,7 +30,7 @@ typedef struct Springs {
     real* stiffness;            ///< [count] [N/m]
     real* rest;                 ///< [count] rest length [m], greater than 0
     real* active;               ///< [count] the stiffness that acts in this step: 0 for a spring
-                                ///< that correction has put to rest, else its stiffness
+                                ///< that strain limiting has put to rest, else its stiffness
     double bound;               ///< largest (S_i/m_i + S_j/m_j) over the springs [1/s^2], S the sum
                                 ///< of attached stiffness: no mode is faster, however deformed
 } Springs;

@@ -16,7 +16,7 @@ typedef struct Torsion {
     int (*path)[3]; ///< [count] p, m, q
     real* rest;     ///< [count] b at rest [1]
     real stiffness; ///< [N m] energy per squared bend, twice
-    bool project;   ///< the tangent last readied leaves out what has both signs
+    bool project;   ///< the last update of the tangent left out its indefinite part
     double bound;   ///< bound on the squared frequency at rest [1/s^2]
 } Torsion;
 

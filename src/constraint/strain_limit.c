@@ -10,7 +10,7 @@ void strain_limit_switch(StrainLimit* correct, Body* body, bool on) {
     if (correct->on && !correct->ahead)
         correct->ahead = new_array(real4, body->count);
     for (int s = 0; !correct->on && s < body->springs.count; s++)
-        body_stiffen(body, s, body->springs.stiffness[s]);
+        body_set_stiffness(body, s, body->springs.stiffness[s]);
 }
 
 /// Move the ends of spring s together to at most `most` times its rest length, each by its share of
@@ -32,7 +32,7 @@ static bool shorten(const Body* body, real4* x, int s, real most) {
     return true;
 }
 
-/// One sequential pass, kind after kind: what a later spring moves is not looked at again.
+/// One sequential pass, kind after kind; springs that a later one lengthens are not visited again.
 static void shorten_all(StrainLimit* correct, Body* body) {
     Springs* springs = &body->springs;
     correct->corrected = 0;
@@ -45,7 +45,7 @@ static void shorten_all(StrainLimit* correct, Body* body) {
             correct->corrected += was_long;
             const real acts = was_long && correct->tarantino ? 0 : springs->stiffness[s];
             if (acts != springs->active[s])
-                body_stiffen(body, s, acts);
+                body_set_stiffness(body, s, acts);
         }
     }
 }
@@ -59,8 +59,8 @@ void strain_limit_velocity(StrainLimit* correct, Body* body, double step) {
 
     shorten_all(correct, body);
 
-    // the velocity is what a particle really does; a particle that was not moved keeps its own,
-    // for a difference of positions would only add their rounding to it
+    // a corrected particle gets the velocity of its actual motion; any other keeps its velocity,
+    // since a difference of positions would only add their rounding
     for (int i = 0; i < body->count; i++) {
         const real4 moved = correct->ahead[i] - (body->x[i] + h * body->v[i]);
         if (correct->phantom)

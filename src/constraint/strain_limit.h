@@ -1,12 +1,12 @@
 /// Correction of over-stretched springs, between kick and drift: Provot, and Tarantino with it.
 ///
-/// Provot: one pass over the springs, structural, shear, flexion, where the particles are about to
-/// go; a spring over (1 + threshold) times its rest length has its ends moved together to that
-/// length, half each, or all at the free end where the other is held. A moved particle's velocity
-/// is then v = (x_corrected - x) / h, what it really does, else phantom energy stays. Tarantino:
-/// such a spring exerts no force in the next step. Sources: X. Provot, Deformation constraints in a
-/// mass-spring model to describe rigid cloth behaviour, 1995; the mass-spring balloon paper,
-/// "Particle Position Correction".
+/// Provot: one pass over the springs, structural, shear, flexion, at the positions that the
+/// particles are about to reach; a spring over (1 + threshold) times its rest length has its ends
+/// moved together to that length, half each, or all at the free end where the other is held. A
+/// moved particle's velocity is then v = (x_corrected - x) / h, that of its actual motion; else
+/// energy without motion remains. Tarantino: such a spring exerts no force in the next step.
+/// Sources: X. Provot, Deformation constraints in a mass-spring model to describe rigid cloth
+/// behaviour, 1995; the mass-spring balloon paper, "Particle Position Correction".
 #ifndef BALLOON_CONSTRAINT_STRAIN_LIMIT_H
 #define BALLOON_CONSTRAINT_STRAIN_LIMIT_H
 
@@ -15,14 +15,14 @@
 typedef struct StrainLimit {
     bool on;
     bool tarantino;
-    bool phantom;                   ///< velocities stay as they were, to show what that does
+    bool phantom; ///< keep the uncorrected velocities, to show the energy that this adds
     double threshold[SPRING_KINDS]; ///< ratio over rest length; 0: this kind is not corrected
-    real4* ahead;                   ///< [count] where the particles are about to go, while on
+    real4* ahead;                   ///< [count] positions after the coming drift [m]
     int corrected;                  ///< springs that the last step corrected
 } StrainLimit;
 
 /// Change the velocities so that the coming drift of length h leaves no spring over its limit, as
-/// far as one pass can. No work when off.
+/// far as one pass achieves that. Does nothing when off.
 void strain_limit_velocity(StrainLimit* correct, Body* body, double h);
 
 /// Turn correction on or off; off gives every spring its force back.

@@ -7,8 +7,8 @@
 #include "base/memory.h"
 #include "force/material.h"
 
-static const double enough = 1e-12; ///< of the rubber's volume [1]
-enum { PASSES_MOST = 20 };          ///< two or three are usual
+static const double tolerance = 1e-12; ///< of the rubber's volume [1]
+enum { PASSES_MAX = 20 };              ///< two or three are usual
 
 void volume_constraint_open(VolumeConstraint* preserve, const Body* body) {
     *preserve = (VolumeConstraint){.inverted = NONE};
@@ -30,7 +30,7 @@ void volume_constraint_open(VolumeConstraint* preserve, const Body* body) {
     for (int e = 0; e < membrane->count; e++)
         preserve->share[e] = membrane_share(membrane, e);
     for (int e = membrane->count; e < membrane->eights * LANES; e++)
-        preserve->share[e] = 0; // there is room up to the next eight
+        preserve->share[e] = 0; // padding up to the next eight
 }
 
 static const PreserveKernels* best_kernels(void) {
@@ -54,7 +54,7 @@ static double constraint(const Membrane* membrane, VolumeConstraint* preserve, c
     return volume - membrane->volume;
 }
 
-/// Move everything by lambda times weight times gradient, and read the thickness off.
+/// Move all vertices by lambda times weight times gradient, and compute the thickness.
 static void move(const Membrane* membrane, VolumeConstraint* preserve, const real4* x, int count,
                  real lambda) {
     real4* restrict way = preserve->gradient;
@@ -70,10 +70,10 @@ static void preserve_sum(VolumeConstraint* preserve, Body* body, double h) {
     memset(preserve->moved, 0, (size_t)body->count * sizeof *preserve->moved);
     for (int e = 0; e < membrane->eights * LANES; e++)
         preserve->thickness[e] = (double)membrane->thickness[e];
-    for (preserve->passes = 0; preserve->passes < PASSES_MOST; preserve->passes++) {
+    for (preserve->passes = 0; preserve->passes < PASSES_MAX; preserve->passes++) {
         double sum;
         const double c = constraint(membrane, preserve, body->x, body->count, &sum);
-        if (!(fabs(c) > enough * membrane->volume))
+        if (!(fabs(c) > tolerance * membrane->volume))
             break;
         move(membrane, preserve, body->x, body->count, (real)(-c / sum));
     }

@@ -7,26 +7,26 @@
 ///
 ///         with a virtual vertex x4 = c + h n over the middle c of each element. Particles weigh
 ///         rho h0 A0 / 6 for each corner, x4 half of the element. One pass moves all of them by
-///         -C w dC / sum of w |dC|^2, and passes follow until |C| < 1e-12 of the rubber; then
+///         -C w dC / sum of w |dC|^2, and passes are repeated until |C| < 1e-12 of the rubber; then
 ///         h = (x4 - c) . n, and v = (x - x_old) / h. Eq. 27 as printed leaves a fifth of the error
-///         each pass. Single elements drift: membrane_volume_ratio says how far.
+///         in each pass. Only the sum is kept; membrane_volume_ratio measures single elements.
 #ifndef BALLOON_CONSTRAINT_VOLUME_CONSTRAINT_H
 #define BALLOON_CONSTRAINT_VOLUME_CONSTRAINT_H
 
 #include "body/body.h"
 
 typedef struct VolumeConstraint {
-    real4* moved;      ///< [count] on the way [m]; NULL where the rule is local
-    real4* gradient;   ///< [count] dC/dx [m^2], then where each goes in a pass [m]
+    real4* moved;      ///< [count] positions during the passes [m]; NULL where the rule is local
+    real4* gradient;   ///< [count] dC/dx [m^2], then the displacement of a pass [m]
     real* weight;      ///< [count] 1/m' [1/kg]
     double* share;     ///< [elements] membrane_share
-    double* thickness; ///< [elements] on the way [m]
-    int passes;        ///< that the last step took
-    int inverted;      ///< element whose thickness the last step took to nothing or below, or NONE
+    double* thickness; ///< [elements] during the passes [m]
+    int passes;        ///< of the last step
+    int inverted;      ///< element whose thickness became 0 or negative in the last step, or NONE
 } VolumeConstraint;
 
-/// The loops over elements, eight side by side, in as many compilations as there are kinds of
-/// machine (base/cpu.h).
+/// The loops over elements, eight side by side, compiled once for each kind of machine
+/// (base/cpu.h).
 typedef struct PreserveKernels {
     /// The rubber's volume now; adds to gradient, and to sum what the virtual vertices are of it.
     double (*volume)(const Membrane* membrane, const VolumeConstraint* preserve, const real4* x,
@@ -45,7 +45,7 @@ extern const PreserveKernels volume_constraint_kernels_baseline;
 extern const PreserveKernels volume_constraint_kernels_v3;
 #endif
 
-/// Room for the body's rule.
+/// Make the workspace for the body's rule.
 void volume_constraint_open(VolumeConstraint* preserve, const Body* body);
 
 /// Keep the rubber's volume after a drift of length h.

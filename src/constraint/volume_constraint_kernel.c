@@ -18,7 +18,7 @@ EACH lanes_double load_double(const double* a) {
     return v;
 }
 
-/// In the order of the lanes, so that every machine rounds alike.
+/// Sum in the order of the lanes, so that every machine rounds alike.
 EACH double sum_of(const lanes_double a[LANES / WIDE]) {
     double sum = 0;
     for (int k = 0; k < LANES; k++)
@@ -26,7 +26,7 @@ EACH double sum_of(const lanes_double a[LANES / WIDE]) {
     return sum;
 }
 
-/// Elements side by side: places of their corners, edges and normals now. What is moved may be far
+/// Elements side by side: their corners, edges and normals. Displacements of a pass may be far
 /// below the last bit of a position.
 typedef struct Elements {
     const uint32_t* corner[3];
@@ -56,7 +56,7 @@ EACH Elements elements_of(const Membrane* membrane, const VolumeConstraint* pres
     return e;
 }
 
-/// Element after element, so that the sums have one order.
+/// One element after the other, so that the sums have one order.
 EACH void scatter(real4* to, const uint32_t* const corner[3], Lanes3 a, Lanes3 b, Lanes3 c) {
     real4 at[3][WIDE];
     lanes3_store(at[0], a);

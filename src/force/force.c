@@ -17,7 +17,7 @@ const Force* const force_table[FORCES] = {
 const int force_count = FORCES;
 static_assert((int)FORCES <= (int)FORCES_MAX, "Body.force_parameter has a row for each force");
 
-/// What the parts of a pass over the particles are given.
+/// Arguments of the tasks of a pass over the particles.
 typedef struct Pass {
     Body* body;
     const Uniform* uniform;
@@ -33,7 +33,7 @@ static void uniform_part(void* self, int part) {
                        gradient, body->mass, body->inverse_mass, (real)pass->h, body->v, body->f);
 }
 
-/// body->f += what acts on all particles; v' = v + h f / m where h is not 0.
+/// body->f += the uniform forces (uniform.h); v' = v + h f / m where h is not 0.
 static void add_uniform(Body* body, const Uniform* uniform, double h) {
     crew_run(uniform_part, &(Pass){body, uniform, h}, parts_of(body->count, PART_PARTICLES));
 }

@@ -10,7 +10,7 @@
 #include "force/block_matrix.h"
 #include "force/uniform.h"
 
-/// Groups of particles of which each pulls on each: elements, springs, faces.
+/// Groups of particles whose forces depend on each other's positions: elements, springs, faces.
 typedef struct Stencils {
     int count;
     int corners;         ///< particles in a group, 4 at most
@@ -25,19 +25,20 @@ typedef struct Force {
     /// body->force_parameter of the row. A default is 0, with which the parameter does nothing.
     const Parameter* parameters;
     int parameter_count; ///< FORCE_PARAMETERS_MAX at most
-    bool exclusive;      ///< a scene gives one of them: the others are 0
+    bool exclusive;      ///< a scene gives exactly one of them; the others are 0
 
     /// Whether this body has this force now.
     bool (*present)(const Body* body);
 
-    /// The force on every particle is the sum of what the row has of three things. What it needs of
-    /// the one pass over the particles' neighbourhoods (sweep.h), with all other rows:
+    /// A row computes its force in up to three ways, whose results add up. First, sums that the
+    /// shared pass over the particles' neighbors computes for it (sweep.h):
     unsigned (*sweep)(const Body* body);
 
-    /// Its part of what acts on all particles by one law (uniform.h), after that pass.
+    /// Second, after that pass, its share of the force that acts on all particles by one law
+    /// (uniform.h).
     void (*uniform)(const Body* body, Uniform* uniform);
 
-    /// What it adds to body->f by itself. [N]
+    /// Third, a loop of its own that adds to body->f [N].
     void (*add)(Body* body);
 
     /// Energy at the present positions [J], NULL for a force that has none. For `area` inflation
@@ -48,24 +49,24 @@ typedef struct Force {
     /// adds no stiffness. Bounds of several forces add up (Weyl's inequality).
     double (*bound)(const Body* body);
 
-    /// The tangent, for implicit methods, is K = -dF/dx at the present positions [N/m]; tangent.h
-    /// puts it together. A force that does not depend on positions has none of these.
+    /// The tangent, for implicit methods, is K = -df/dx at the present positions [N/m]; tangent.h
+    /// assembles it. A force that does not depend on positions has none of these.
 
-    /// Which particles pull on each other; never changes. NULL: a particle at most on itself.
+    /// Groups of particles that K couples; they never change. NULL: K is diagonal in particles.
     Stencils (*stencils)(const Body* body);
 
     /// Add factor K to the matrix, block by block: slot[s][i][j] is where the block of corners i
-    /// and j of stencil s is. `project` takes out what is not positive definite. NULL: all is in
-    /// the product.
+    /// and j of stencil s is. `project` replaces each stencil's matrix by its positive semidefinite
+    /// part. NULL: K is in `product` alone.
     void (*assemble)(const Body* body, double factor, bool project, const int* slot,
                      BlockMatrix* matrix);
 
-    /// out += factor K d, for what of K is dense. NULL: nothing.
+    /// out += factor K d, for the dense part of K. NULL: there is none.
     void (*product)(const Body* body, double factor, const real4* d, real4* out);
 
-    /// Ready `assemble` and `product` for the present positions; NULL where they read the positions
-    /// themselves.
-    void (*stiffen)(Body* body, bool project);
+    /// Prepare `assemble` and `product` for the present positions; NULL where they read the
+    /// positions themselves.
+    void (*update_tangent)(Body* body, bool project);
 
     /// Its energy is stored in the skin or its tethers, and counts in the output `elastic`.
     bool elastic;

@@ -52,7 +52,7 @@ static double energy(const Body* body) {
     return -inflation_pressure(body) * volume;
 }
 
-/// d(p dV/dx)/dx = p d2V/dx2 + dV/dx (dp/dx)^T: a bound on each part, over the masses.
+/// d(p dV/dx)/dx = p d2V/dx2 + dV/dx (dp/dx)^T: a bound on each term, divided by the masses.
 static double bound(const Body* body) {
     const Inflation* inflation = &body->inflation;
     const SweepSteep steep = sweep_steep(body);
@@ -86,7 +86,7 @@ static inline void add_block(Block* value, const Block* block) {
         value->column[c] += block->column[c];
 }
 
-/// The block of corners i and j, and the opposite one across.
+/// Add a block at corners (i, j), and its negative at (j, i).
 static inline void add_pair(Block* value, const int* slot, int i, int j, const Block* block) {
     Block *there = &value[slot[4 * i + j]], *across = &value[slot[4 * j + i]];
     for (int c = 0; c < 3; c++) {
@@ -95,10 +95,14 @@ static inline void add_pair(Block* value, const int* slot, int i, int j, const B
     }
 }
 
-/// A triangle of a closed skin: dV/db changes by d x (b - c) / 6 as the corner a before b goes by
-/// d, and what the face beyond the edge ab adds to that has -b in it: (a + b) / 2 - c here and
-/// there come to the same, and then the block across is the opposite one. Around a corner the
-/// changes by itself cancel.
+/// A triangle (a, b, c) of a closed skin. When a moves by d, dV/db changes by d x (b - c) / 6. The
+/// face on the other side of the edge ab runs it backward, and contributes a term in -b there. So b
+/// may be replaced by (a + b) / 2 in both faces without changing their sum:
+///
+///     d(dV/db) = d x ((a + b) / 2 - c) / 6
+///
+/// In this form the block at (b, a) is the negative of the one at (a, b), and the blocks at (a, a)
+/// cancel in the sum over the faces around a.
 static void assemble_triangle(const real4 x[3], real factor, const int* slot, Block* value) {
     for (int a = 0; a < 3; a++) {
         const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -107,8 +111,8 @@ static void assemble_triangle(const real4 x[3], real factor, const int* slot, Bl
     }
 }
 
-/// A quad of one: the mean of its two triangulations. On edges as above, (a + b - c - d) / 12;
-/// across, dV/dc changes by d x (b - d) / 12.
+/// A quad of a closed skin: the mean of its two triangulations. Along an edge, as above, with
+/// (a + b - c - d) / 12; across the diagonal, dV/dc changes by d x (b - d) / 12 when a moves by d.
 static void assemble_quad(const real4 x[4], real factor, const int* slot, Block* value) {
     const real4 ac = x[0] - x[2], bd = x[1] - x[3];
     const Block along = crossed(factor / 12, ac + bd), aside = crossed(factor / 12, bd - ac);
@@ -121,8 +125,8 @@ static void assemble_quad(const real4 x[4], real factor, const int* slot, Block*
     add_pair(value, slot, 1, 3, &by_a);
 }
 
-/// An open skin's triangle: (b - a) x (c - a) / 6 at each corner, which changes by d x (b - c) / 6
-/// as a goes by d.
+/// A triangle of an open skin: (b - a) x (c - a) / 6 at each corner, which changes by
+/// d x (b - c) / 6 when a moves by d.
 static void assemble_open_triangle(const real4 x[3], real factor, const int* slot, Block* value) {
     for (int a = 0; a < 3; a++) {
         const int b = (a + 1) % 3, c = (a + 2) % 3;
@@ -133,7 +137,7 @@ static void assemble_open_triangle(const real4 x[3], real factor, const int* slo
     }
 }
 
-/// An open skin's quad: a quarter of its area vector (c - a) x (d - b) / 2 at each corner.
+/// A quad of an open skin: a quarter of its area vector (c - a) x (d - b) / 2 at each corner.
 static void assemble_open_quad(const real4 x[4], real factor, const int* slot, Block* value) {
     for (int a = 0; a < 4; a++) {
         const Block block = crossed(factor / 8, x[(a + 1) % 4] - x[(a + 3) % 4]);
@@ -142,8 +146,8 @@ static void assemble_open_quad(const real4 x[4], real factor, const int* slot, B
     }
 }
 
-/// -p d2V/dx2, face by face; `area` at its frozen pressure, as its energy. It has both signs, and
-/// is left out of what is to be positive.
+/// -p d2V/dx2, face by face; for `area` inflation at the frozen pressure, as its energy. It is
+/// indefinite, so a projected tangent leaves it out.
 static void assemble(const Body* body, double factor, bool project, const int* slot,
                      BlockMatrix* matrix) {
     if (project)
@@ -177,7 +181,7 @@ static void product(const Body* body, double factor, const real4* d, real4* out)
     vectors()->add(out, push, inflation->gradient, body->count);
 }
 
-static void stiffen(Body* body, bool project) {
+static void update_tangent(Body* body, bool project) {
     (void)project;
     Inflation* inflation = &body->inflation;
     const SweepSums sums = sweep(body, of_sweep(body));
@@ -198,5 +202,5 @@ const Force force_inflation = {
     .stencils = stencils,
     .assemble = assemble,
     .product = product,
-    .stiffen = stiffen,
+    .update_tangent = update_tangent,
 };

@@ -1,5 +1,5 @@
-/// The loops over particles in which a step spends its time, in as many compilations as there are
-/// kinds of machine (base/cpu.h).
+/// The loops over particles in which a step spends its time, compiled once for each kind of
+/// machine (base/cpu.h).
 #ifndef BALLOON_FORCE_KERNEL_H
 #define BALLOON_FORCE_KERNEL_H
 
@@ -7,8 +7,8 @@
 #include "force/uniform.h"
 
 typedef struct Kernels {
-    /// line[k][i] = x[i][k], particles from … to - 1, whole slices.
-    void (*split)(const real4* x, int from, int to, real* const line[3]);
+    /// coordinate[k][i] = x[i][k], particles from … to - 1, whole slices.
+    void (*split)(const real4* x, int from, int to, real* const coordinate[3]);
 
     /// sweep.h, over slices from … to - 1. gradient: NULL where it is not wanted.
     SweepSums (*sweep)(const Slices* slices, int from, int to, const real4* x, unsigned wanted,
@@ -27,7 +27,7 @@ extern const Kernels kernels_baseline;
 extern const Kernels kernels_v3;
 #endif
 
-/// Those of this machine.
+/// The kernels for this machine.
 const Kernels* kernels(void);
 
 #endif

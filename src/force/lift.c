@@ -4,8 +4,8 @@
 ///     E = -rho g M + m g M / V        rho of the air, m of the gas
 ///     f = rho g dM/dx - m g (dM/dx / V - M / V^2 dV/dx)
 ///
-/// In all it is (rho V - m) g upward, through the middle of the volume. The gas's inertia is left
-/// out: it is as light as the air that the skin drags along, which is left out too.
+/// The total is (rho V - m) g upward through the volume's centroid. The inertia of the gas is
+/// neglected, and so is that of the air that moves with the skin (added mass), which is as large.
 #include "force/force.h"
 #include "mesh/measure.h"
 #include "mesh/moment.h"
@@ -71,7 +71,7 @@ static void product(const Body* body, double factor, const real4* d, real4* out)
         out[i] -= (real)of_volume * gradient[i];
 }
 
-static void stiffen(Body* body, bool project) {
+static void update_tangent(Body* body, bool project) {
     (void)project;
     measure_volume_gradient(body->mesh, body->x, body->inflation.gradient);
 }
@@ -82,7 +82,7 @@ const Force force_lift = {
     .present = present,
     .add = add,
     .energy = energy,
-    .stiffen = stiffen,
+    .update_tangent = update_tangent,
     .product = product,
     .external = true,
 };

@@ -8,7 +8,7 @@ static bool present(const Body* body) {
     return body->membrane.count > 0;
 }
 
-/// What the parts are given: every second one, which have no particle in common.
+/// Arguments of the tasks: every second part, so that no two of them share a particle.
 typedef struct Job {
     Body* body;
     int odd;
@@ -47,7 +47,7 @@ static double energy(const Body* body) {
     return sum;
 }
 
-/// What each part finds.
+/// Results of each part.
 typedef struct Bounds {
     const Body* body;
     double part[MEMBRANE_PARTS_MOST];

@@ -7,8 +7,8 @@
 ///
 /// rubber is the equibiaxial neo-Hookean law of a membrane, slope k at rest; in compression, where
 /// its tangent would grow without bound, it is Hooke's, so that the stability bound holds. tension
-/// is a foil's: pressed it gives way, as if it wrinkled finer than the mesh. Equal and opposite on
-/// the two ends: momentum is kept to the last bit but for rounding of sums.
+/// is a foil's: under compression it has no force, as if it wrinkled more finely than the mesh. The
+/// forces on the two ends are exactly opposite, so momentum changes by the rounding of sums only.
 #include "force/force.h"
 #include "force/sweep.h"
 
@@ -49,8 +49,7 @@ static double bound(const Body* body) {
     return body->springs.bound;
 }
 
-/// What a spring resists: `along` per length in its own direction, `across` per length in the
-/// others.
+/// Tangent of a spring: stiffness along its direction and across it.
 typedef struct Resistance {
     real along, across; ///< [N/m]
 } Resistance;
@@ -80,7 +79,7 @@ static void assemble(const Body* body, double factor, bool project, const int* s
             continue;
         Resistance k =
             resistance_of(springs->law, springs->active[s], ratio(springs->rest[s], now));
-        if (project) // a pressed spring gives way to the side
+        if (project) // a compressed spring has negative stiffness across
             k.across = real_max(k.across, 0);
         const real4 n = span / now;
         for (int c = 0; c < 3; c++) {

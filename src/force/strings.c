@@ -46,7 +46,8 @@ static double bound(const Body* body) {
     return sum;
 }
 
-/// A taut string resists like a spring, its tension over its length to the side; a slack one not.
+/// A taut string has the tangent of a spring: k along it, tension / length across; a slack one has
+/// none.
 static void assemble(const Body* body, double factor, bool project, const int* slot,
                      BlockMatrix* matrix) {
     (void)project, (void)slot; // it only pulls, which is positive

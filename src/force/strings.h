@@ -1,4 +1,4 @@
-/// What a string can be asked.
+/// The tension of strings.
 #ifndef BALLOON_FORCE_STRINGS_H
 #define BALLOON_FORCE_STRINGS_H
 

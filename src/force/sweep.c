@@ -5,7 +5,7 @@
 #include "base/crew.h"
 #include "force/kernel.h"
 
-/// What the parts of a sweep are given.
+/// Arguments of the tasks of a sweep.
 typedef struct Job {
     const Body* body;
     unsigned wanted;
@@ -19,7 +19,7 @@ static int part_end(const Slices* slices, int part) {
 static void split_part(void* self, int part) {
     const Body* body = ((const Job*)self)->body;
     kernels()->split(body->x, part * PART_PARTICLES, part_end(&body->slices, part) * LANES,
-                     body->slices.line);
+                     body->slices.coordinate);
 }
 
 static void sweep_part(void* self, int part) {

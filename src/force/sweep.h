@@ -1,5 +1,5 @@
-/// One pass over the particles' neighbourhoods (body/slices.h) finds what springs and pressure need
-/// of them, eight particles at a time:
+/// One pass over the particles' neighbors (body/slices.h), eight particles at a time, computes the
+/// sums that springs and pressure need:
 ///
 ///     springs    f_a += sum over the neighbours of the pull along d              (force/springs.c)
 ///     gradient   dV/da = 1/12 sum over the ring of (c_k + b_k) x (b_(k+1) - b_k)
@@ -18,7 +18,7 @@ enum {
     SWEEP_GRADIENT = 2, ///< into body->inflation.gradient
     SWEEP_AREA = 4,     ///< with the gradient
     SWEEP_VOLUME = 8,   ///< with the gradient
-    SWEEP_CLEAR = 16    ///< body->f is 0 before
+    SWEEP_CLEAR = 16    ///< set body->f instead of adding to it
 };
 
 /// Sums over the particles, 0 where not wanted.
@@ -29,8 +29,9 @@ typedef struct SweepSums {
 
 SweepSums sweep(const Body* body, unsigned wanted);
 
-/// Row sums of the second derivative of V, and of dA/dx and dV/dx, over the masses: each entry is
-/// at most a length of an edge or a diagonal, for the gradients are cross products of those.
+/// Row sums of d2V/dx2, and squared norms of dA/dx and dV/dx, divided by the masses. Each entry of
+/// d2V/dx2 is at most the length of an edge or a diagonal, since the gradients are cross products
+/// of those.
 typedef struct SweepSteep {
     double second;  ///< largest over particles a of sum over corners k |d2V / da dx_k| / m_a [m/kg]
     double area2;   ///< sum of |dA/da|^2 / m_a, its bound [m^2/kg]

@@ -4,10 +4,10 @@
 
 #define ALWAYS inline __attribute__((always_inline))
 
-/// Pull of springs along d [N]. A spring of no length pulls nowhere, for d is zero; the least
-/// number keeps its ratio finite.
+/// Pull of springs along d [N]. A spring of no length pulls nowhere, for d is zero; the smallest
+/// positive number keeps its ratio finite.
 static ALWAYS Lanes3 pull_of(SpringLaw law, Lanes3 d, const real* stiffness, const real* rest) {
-    const lanes r = lanes_load(rest) / lanes_sqrt(lanes3_dot(d, d) + REAL_LEAST);
+    const lanes r = lanes_load(rest) / lanes_sqrt(lanes3_dot(d, d) + REAL_MIN_POSITIVE);
     lanes share = 1 - r;
     if (law == LAW_RUBBER) {
         const lanes r3 = r * r * r;
@@ -18,10 +18,10 @@ static ALWAYS Lanes3 pull_of(SpringLaw law, Lanes3 d, const real* stiffness, con
     return lanes3_times(lanes_load(stiffness) * share, d);
 }
 
-/// Which places are the same: of b and c, faces that are triangles.
-static ALWAYS lane_mask same_place(const uint32_t* b, const uint32_t* c) {
-    typedef uint32_t places __attribute__((vector_size(WIDE * sizeof(uint32_t))));
-    places one, other;
+/// Where two slots hold the same particle: b and c of a face that is a triangle.
+static ALWAYS lane_mask same_offset(const uint32_t* b, const uint32_t* c) {
+    typedef uint32_t offsets __attribute__((vector_size(WIDE * sizeof(uint32_t))));
+    offsets one, other;
     __builtin_memcpy(&one, b, sizeof one);
     __builtin_memcpy(&other, c, sizeof other);
     return __builtin_convertvector(one == other, lane_mask);
@@ -29,32 +29,32 @@ static ALWAYS lane_mask same_place(const uint32_t* b, const uint32_t* c) {
 
 static const lanes none = {0};
 enum { SWEEP_OPEN = 32 }; ///< the skin has a rim
-enum { FACES = 8 };       ///< of a ring, looked at together: most rings have fewer
+enum { FACES = 8 };       ///< faces of a ring that are handled together: most rings have fewer
 
-/// What is looked at: the slices, and of one of them the particles from a lane on.
+/// WIDE particles of a slice, from a lane on.
 typedef struct Part {
     const Slices* s;
     int slice, lane;
     const real4* x;
-    Lanes3 a; ///< where they are
+    Lanes3 a; ///< positions [m]
 } Part;
 
-/// Particles that follow each other.
-static ALWAYS Lanes3 row_from(const Slices* s, size_t i) {
-    return (Lanes3){lanes_load(&s->line[0][i]), lanes_load(&s->line[1][i]),
-                    lanes_load(&s->line[2][i])};
+/// Positions of WIDE consecutive particles.
+static ALWAYS Lanes3 positions_from(const Slices* s, size_t i) {
+    return (Lanes3){lanes_load(&s->coordinate[0][i]), lanes_load(&s->coordinate[1][i]),
+                    lanes_load(&s->coordinate[2][i])};
 }
 
-/// Neighbours in a slot, as seen from the particles.
+/// Vectors from the particles to their neighbors in a slot.
 static ALWAYS Lanes3 neighbours(const Part* p, int slot) {
-    const uint32_t* place = &p->s->place[slot][p->lane];
-    const Lanes3 there =
-        p->s->row[slot] ? row_from(p->s, place[0] / sizeof(real4)) : lanes3_gather(p->x, place);
+    const uint32_t* offset = &p->s->offset[slot][p->lane];
+    const Lanes3 there = p->s->contiguous[slot] ? positions_from(p->s, offset[0] / sizeof(real4))
+                                                : lanes3_gather(p->x, offset);
     return lanes3_minus(there, p->a);
 }
 
-/// Neighbours in so many slots, into `at` if it is not NULL. Returns f and the springs' pull to
-/// them.
+/// Visit `count` slots: returns f plus the forces of their springs, and stores the vectors to the
+/// neighbors in `at` if it is not NULL.
 static ALWAYS Lanes3 look_around(const Part* p, int slot, int count, unsigned wanted, SpringLaw law,
                                  Lanes3 f, Lanes3* at) {
     for (int k = slot; k < slot + count; k++) {
@@ -73,14 +73,15 @@ static ALWAYS Lanes3 two_areas(const Lanes3* b) {
     return lanes3_cross(b[1], lanes3_minus(b[2], b[0]));
 }
 
-/// What faces add to 12 dV/da [m^2]. at: b0 c0 b1 c1 ... and the b that closes the last one
+/// Add the faces' contributions to 12 dV/da [m^2]. at: b0 c0 b1 c1 ... and the b that closes the
+/// last one
 static ALWAYS Lanes3 gradient_of(const Part* p, int slot, int faces, const Lanes3* at,
                                  unsigned wanted, Lanes3 sum) {
     for (int k = 0; k < 2 * faces; k += 2) {
         const Lanes3* b = &at[k];
         if (wanted & SWEEP_OPEN) {
             const lane_mask triangle =
-                same_place(&p->s->place[slot + k][p->lane], &p->s->place[slot + k + 1][p->lane]);
+                same_offset(&p->s->offset[slot + k][p->lane], &p->s->offset[slot + k + 1][p->lane]);
             const lanes share = lanes_select(triangle, 2 + none, (real)1.5 + none);
             sum = lanes3_plus(sum, lanes3_times(share, two_areas(b)));
         } else {
@@ -91,7 +92,7 @@ static ALWAYS Lanes3 gradient_of(const Part* p, int slot, int faces, const Lanes
     return sum;
 }
 
-/// Twice the area of the faces that are counted [m^2].
+/// Add twice the area of the counted faces [m^2].
 static ALWAYS lanes area_of(const Part* p, int counted, int faces, const Lanes3* at, lanes sum) {
     for (int k = 0; k < faces; k++) {
         const Lanes3 area = two_areas(&at[2 * k]);
@@ -101,14 +102,14 @@ static ALWAYS lanes area_of(const Part* p, int counted, int faces, const Lanes3*
     return sum;
 }
 
-/// What is summed up around particles.
+/// Sums around each particle.
 typedef struct Around {
     Lanes3 f;        ///< [N]
     Lanes3 gradient; ///< 12 times [m^2]
     lanes area;      ///< twice that of the faces that are counted there [m^2]
 } Around;
 
-/// The faces around particles, and the springs to their corners. Returns the next slot.
+/// Visit the faces around particles, and the springs to their corners. Returns the next slot.
 static ALWAYS int go_round(const Part* p, unsigned wanted, SpringLaw law, Around* around) {
     const Slices* s = p->s;
     const int faces = s->faces[p->slice], from = s->from[p->slice];
@@ -131,7 +132,7 @@ static ALWAYS int go_round(const Part* p, unsigned wanted, SpringLaw law, Around
     return from + 2 * faces;
 }
 
-/// In the order of the lanes, so that every machine rounds alike.
+/// Sum in the order of the lanes, so that every machine rounds alike.
 static ALWAYS double sum_of(double4 a) {
     return a[0] + a[1] + a[2] + a[3];
 }
@@ -142,7 +143,7 @@ static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const re
     double4 area = {0}, volume = {0};
     const Lanes3 origin = {x[0][0] + none, x[0][1] + none, x[0][2] + none};
     for (int i = from * LANES; i < to * LANES; i += WIDE) {
-        const Part part = {s, i / LANES, lane_of(i), x, row_from(s, (size_t)i)};
+        const Part part = {s, i / LANES, lane_of(i), x, positions_from(s, (size_t)i)};
         Around around = {.area = {0}};
         if (wanted & SWEEP_SPRINGS && !clear)
             around.f = lanes3_load(&f[i]);
@@ -199,12 +200,12 @@ static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x,
     return table[row][column](s, from, to, x, wanted & SWEEP_CLEAR, f, gradient);
 }
 
-static void split(const real4* restrict x, int from, int to, real* const line[3]) {
+static void split(const real4* restrict x, int from, int to, real* const coordinate[3]) {
     for (int i = from; i < to; i += WIDE) {
         const Lanes3 a = lanes3_load(&x[i]);
-        lanes_store(&line[0][i], a.x);
-        lanes_store(&line[1][i], a.y);
-        lanes_store(&line[2][i], a.z);
+        lanes_store(&coordinate[0][i], a.x);
+        lanes_store(&coordinate[1][i], a.y);
+        lanes_store(&coordinate[2][i], a.z);
     }
 }
 
@@ -229,17 +230,17 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
         for (int k = 0; k < WIDE; k++)
             own[k] = (uint32_t)((size_t)(i + k) * sizeof(real4));
         lanes rows = none, area = none;
-        const uint32_t(*place)[LANES] = (const uint32_t(*)[LANES]) & s->place[s->from[slice]];
-        const Lanes3 first = lanes3_minus(lanes3_gather(x, &place[0][lane]), a);
+        const uint32_t(*offset)[LANES] = (const uint32_t(*)[LANES]) & s->offset[s->from[slice]];
+        const Lanes3 first = lanes3_minus(lanes3_gather(x, &offset[0][lane]), a);
         Lanes3 b = first;
         lanes ab = length_of(b);
-        for (int k = s->faces[slice]; k > 0; k--, place += 2) {
-            const Lanes3 c = lanes3_minus(lanes3_gather(x, &place[1][lane]), a);
-            const Lanes3 d = k > 1 ? lanes3_minus(lanes3_gather(x, &place[2][lane]), a) : first;
+        for (int k = s->faces[slice]; k > 0; k--, offset += 2) {
+            const Lanes3 c = lanes3_minus(lanes3_gather(x, &offset[1][lane]), a);
+            const Lanes3 d = k > 1 ? lanes3_minus(lanes3_gather(x, &offset[2][lane]), a) : first;
             const Lanes3 across = lanes3_minus(d, b), twice = lanes3_cross(c, across);
             const lanes ac = length_of(c), ad = length_of(d), bd = length_of(across);
-            const lane_mask triangle = same_place(&place[0][lane], &place[1][lane]);
-            const lane_mask is = ~same_place(own, &place[1][lane]);
+            const lane_mask triangle = same_offset(&offset[0][lane], &offset[1][lane]);
+            const lane_mask is = ~same_offset(own, &offset[1][lane]);
             const lanes three = ab + ad + bd;
             const lanes row = lanes_select(triangle, 2 * three, 2 * (ac + bd) + three);
             rows += lanes_select(is, row, none);
@@ -251,7 +252,7 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
             b = d;
             ab = ad;
         }
-        second = lanes_higher(second, rows * w);
+        second = lanes_max(second, rows * w);
         lanes_sum(&area2, area * area * w);
         lanes_sum(&volume2, lanes3_dot(g, g) * w);
         lanes_sum(&areas, corners);
@@ -265,7 +266,7 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
     return sum;
 }
 
-/// mass: NULL where nothing goes by it.
+/// mass: NULL where nothing is proportional to it.
 static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
                                const real4* restrict gradient, const real* restrict mass,
                                const real* restrict inverse_mass, real h, real4* restrict v,

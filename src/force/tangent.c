@@ -61,8 +61,8 @@ void tangent_update(Tangent* tangent, Body* body, double factor, bool project) {
         const Force* force = force_table[f];
         if (!force->present(body))
             continue;
-        if (force->stiffen)
-            force->stiffen(body, project);
+        if (force->update_tangent)
+            force->update_tangent(body, project);
         if (force->assemble)
             force->assemble(body, factor, project, tangent->slot[f], &tangent->matrix);
     }

@@ -14,8 +14,8 @@ typedef struct Bend {
     real4 u, w, n;
 } Bend;
 
-/// False where it has no direction: an edge without length, or straight, where every direction of
-/// bending is as good and none is pushed.
+/// False where the gradient has no direction: an edge has no length, or the path is straight, so
+/// that no direction of bending is preferred.
 static bool bend_of(const Body* body, const int path[3], Bend* at) {
     at->p = path[0], at->m = path[1], at->q = path[2];
     const real4 dp = body->x[at->p] - body->x[at->m], dq = body->x[at->q] - body->x[at->m];
@@ -63,7 +63,7 @@ static double bound(const Body* body) {
     return body->torsion.bound;
 }
 
-static void stiffen(Body* body, bool project) {
+static void update_tangent(Body* body, bool project) {
     body->torsion.project = project;
 }
 
@@ -106,7 +106,7 @@ const Force force_torsion = {
     .add = add,
     .energy = energy,
     .bound = bound,
-    .stiffen = stiffen,
+    .update_tangent = update_tangent,
     .product = product,
     .elastic = true,
 };

@@ -1,4 +1,4 @@
-/// What acts on all particles by one law, so that one pass over them is enough:
+/// The force that acts on all particles by one law, added in one pass over them:
 ///
 ///     f_i += m_i a + p dV/dx_i - (drag + rate m_i) v_i
 ///

@@ -11,7 +11,7 @@ typedef struct Stretched {
 } Stretched;
 
 static ALWAYS Stretched stretched(Lanes3 d, lanes rest, SpringLaw law) {
-    const lanes length_now = lanes_sqrt(lanes3_dot(d, d) + REAL_LEAST);
+    const lanes length_now = lanes_sqrt(lanes3_dot(d, d) + REAL_MIN_POSITIVE);
     const lanes over = length_now - rest;
     const lanes one = 1 + (lanes){0}, none = {0};
     Stretched s = {.n = lanes3_times(one / length_now, d),
@@ -35,7 +35,7 @@ static ALWAYS Stretched stretched(Lanes3 d, lanes rest, SpringLaw law) {
 static ALWAYS Lanes3 impulse_change(const Stretched* s, lanes stiff, lanes weight, Lanes3 impulse) {
     const lanes along = lanes3_dot(impulse, s->n);
     const Lanes3 across = lanes3_minus(impulse, lanes3_times(along, s->n));
-    const lanes stiff_across = lanes_higher(stiff * s->pull / s->length_now, (lanes){0});
+    const lanes stiff_across = lanes_max(stiff * s->pull / s->length_now, (lanes){0});
     const lanes change_along = (along + stiff * s->pull) / (1 + stiff * s->slope * weight);
     const lanes factor_across = 1 / (1 + stiff_across * weight);
     return lanes3_minus(

@@ -97,7 +97,7 @@ static int bad_particle(const Body* body, double h) {
     const real speed_max = (real)(way_max * body->size / h);
     // components below 1/4 of it keep the relative speed below it: 2 sqrt(3) < 4
     if (all_within(body->v, body->count, speed_max / 4) &&
-        all_within(body->x, body->count, real_sqrt(REAL_MOST) / 2))
+        all_within(body->x, body->count, real_sqrt(REAL_MAX) / 2))
         return NONE;
 
     real4 sum = {0, 0, 0, 0};

@@ -19,8 +19,8 @@ static void times_force(Tangent* tangent, Body* body, int k, bool project, const
                         real4* out) {
     const Force* force = force_table[k];
     block_matrix_clear(&tangent->matrix);
-    if (force->stiffen)
-        force->stiffen(body, project);
+    if (force->update_tangent)
+        force->update_tangent(body, project);
     if (force->assemble)
         force->assemble(body, 1, project, tangent->slot[k], &tangent->matrix);
     block_matrix_multiply(&tangent->matrix, d, out);
