@@ -2,7 +2,7 @@
 /// body/slices.h), blocks without spare lanes. Forces add their blocks to the BlockMatrix, which
 /// has one row after the other.
 ///
-/// What it saves: a frame of the rubber teddy takes 1.8 to 1.9 times as long in float where the
+/// What it saves: a frame of the rubber teddy takes 1.7 to 1.9 times as long in float where the
 /// products of the conjugate gradients are those of the BlockMatrix instead (the measurement of
 /// solve/multigrid/multigrid.h). A product is bound by memory reads: here nine numbers a block,
 /// there twelve, and there one row at a time.
