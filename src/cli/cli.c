@@ -6,6 +6,7 @@
 
 #include "base/crew.h"
 #include "base/interrupt.h"
+#include "base/memory_missing.h"
 #include "base/stream.h"
 #include "cli/open.h"
 #include "cli/verb.h"
@@ -54,6 +55,7 @@ int cli_main(int argc, char** argv) {
     Options options = {0};
     const Verb* verb;
     Fault fault = {0};
+    memory_missing_in_new();
     cli_arguments = argv;
     bool good = print_about(argc, argv);
     if (!good && !options_read(argc, argv, &options, &verb, &fault)) {
