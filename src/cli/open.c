@@ -20,13 +20,20 @@ bool cli_other_precision(const char* program, Fault* fault) {
 }
 
 bool cli_open_advice(const Options* options, AdviseOptions* advise, Fault* fault) {
+    const char* own = sizeof(real) == sizeof(double) ? "double" : "float";
     *advise = (AdviseOptions){.scene = options->target ? options->target : "party",
                               .set = options->set,
                               .set_count = options->set_count,
                               .fresh = options->fresh,
-                              .out = options->out};
-    return options_quantity(options->error, "--error", "%", 0.01, &advise->error, fault) &&
-           options_quantity(options->budget, "--budget", "ms", 1, &advise->ms, fault);
+                              .out = options->out,
+                              .report = options->report,
+                              .precision = options->report ? own : NULL};
+    if (!options_quantity(options->error, "--error", "%", 0.01, &advise->error, fault) ||
+        !options_quantity(options->budget, "--budget", "ms", 1, &advise->ms, fault))
+        return false;
+    if (options->advised && advise->error == 0 && advise->ms == 0)
+        advise->ms = AUTO_BUDGET;
+    return true;
 }
 
 static bool all_sets(const Options* options, const char* method, Sets* sets, Fault* fault) {
@@ -37,8 +44,6 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
         AdviseOptions advise;
         if (!cli_open_advice(options, &advise, fault))
             return false;
-        if (advise.error == 0 && advise.ms == 0)
-            advise.ms = AUTO_BUDGET;
         if (!advise_auto(&advise, &sets->advised, fault))
             return false;
     }

@@ -34,7 +34,7 @@ const Option option_table[] = {
     {"--mesh",      "FILE",     "the skins at the end, as .obj", VERB_RUN, TEXT(mesh), .old = "--obj"},
     {"--hash",      NULL,       "print the hash of the state at the end", RUNS, FLAG(hash)},
     {"--time",      NULL,       "print the CPU time of stepping, or of a frame's stages", RUNS, FLAG(time)},
-    {"--report",    NULL,       "run, peer: one last line of KEY=VALUE, for programs", VERB_RUN | VERB_PEER, FLAG(report)},
+    {"--report",    NULL,       "run, peer: one last line of KEY=VALUE, for programs; advise: the overrides", VERB_RUN | VERB_PEER | VERB_ADVISE, FLAG(report)},
     {"--quiet",     NULL,       "say nothing but results and faults", RUNS, FLAG(quiet)},
     {"--threads",   "N",        "threads that share a step, same bits; 1", VERBS_ALL, TEXT(threads)},
     {"--keep",      NULL,       "bench: keep these figures, to compare later ones with", VERB_BENCH, FLAG(keep)},

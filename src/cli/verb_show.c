@@ -39,7 +39,13 @@ static bool print_hash_and_close(const Options* options, World* world, Ghost* gh
     return good;
 }
 
-static bool show_pair(const Options* options, bool window, Fault* fault) {
+/// Measure beside the window what --auto asks for.
+static bool begin_advice(const Options* options, AdviseLater* advice, Fault* fault) {
+    AdviseOptions advise;
+    return cli_open_advice(options, &advise, fault) && advise_later_begin(advice, &advise, fault);
+}
+
+static bool show_pair(const Options* options, bool window, AdviseLater* advice, Fault* fault) {
     World world;
     ShowOptions show;
     Ghost ghost = {0};
@@ -49,9 +55,13 @@ static bool show_pair(const Options* options, bool window, Fault* fault) {
         (!window &&
          !overwrite_allows_pictures(options, options->out ? options->out : "out", fault)))
         return false;
-    if (!cli_open_pair(options, &sets, &world, &ghost, fault))
+    Options now = *options;
+    now.advised = options->advised && !advice;
+    if (!cli_open_pair(&now, &sets, &world, &ghost, fault))
         return false;
-    bool good = show_options(options, &sets, &world, &ghost, &show, fault);
+    bool good = show_options(options, &sets, &world, &ghost, &show, fault) &&
+                (!advice || begin_advice(options, advice, fault));
+    show.advice = advice;
     if (window) {
         show.overlay = true;
         if (!options->seconds) // until it is closed
@@ -61,12 +71,22 @@ static bool show_pair(const Options* options, bool window, Fault* fault) {
     return print_hash_and_close(options, &world, &ghost, good);
 }
 
+/// A window opens at once: what takes time to measure is measured meanwhile.
 bool verb_play(const Options* options, Fault* fault) {
-    return show_pair(options, true, fault);
+    AdviseOptions advise;
+    AdviseLater later = {0};
+    if (!options->advised)
+        return show_pair(options, true, NULL, fault);
+    if (!cli_open_advice(options, &advise, fault))
+        return false;
+    const bool kept = advise_is_kept(&advise);
+    const bool good = show_pair(options, true, kept ? NULL : &later, fault);
+    advise_later_close(&later);
+    return good;
 }
 
 bool verb_render(const Options* options, Fault* fault) {
-    return show_pair(options, false, fault);
+    return show_pair(options, false, NULL, fault);
 }
 
 bool verb_run(const Options* options, Fault* fault) {

@@ -121,6 +121,8 @@ void app_next_scene(App* app, int direction) {
         app_say(app, "%s: %s", fault.place, fault.text);
     } else {
         app->set_count = app->notch = 0;
+        if (app->options->advice) // it is of the scene that was left
+            advise_later_close(app->options->advice);
         app->watching = false;
         if (app->lab)
             app_show_lab(app, true);

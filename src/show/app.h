@@ -79,6 +79,9 @@ void app_restore_scene(App* app);
 /// Restart the scene with the settings of a notch of the slider, clamped to those that exist.
 void app_select_notch(App* app, int notch);
 
+/// Restart the scene as advised, when the measurement has ended that goes on beside it.
+void app_follow_advice(App* app);
+
 /// Show or hide the lab panel.
 void app_show_lab(App* app, bool visible);
 

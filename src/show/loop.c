@@ -132,6 +132,7 @@ bool app_run(App* app, Fault* fault) {
     while (!app->quit && app->world->clock < app->end_step && !interrupt_signal() &&
            app->output.next(app->output.self, &input)) {
         stages_begin(&app->stages);
+        app_follow_advice(app);
         if (!handle_input(app, &input, fault) || !advance(app, input.elapsed, fault) ||
             !match_output(app, &input, fault))
             return false;

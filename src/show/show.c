@@ -26,7 +26,10 @@ bool show_play(World* world, const ShowOptions* options, Fault* fault) {
         return false;
     }
 
-    app_say(&app, "h shows the keys");
+    if (options->advice)
+        app_say(&app, "what is best here is being measured; then the scene starts again");
+    else
+        app_say(&app, "h shows the keys");
     const bool good = app_open(&app, fault) && app_run(&app, fault);
 
     // no fault: the user has seen the blowup, and could have reset the scene

@@ -5,6 +5,7 @@
 #ifndef BALLOON_SHOW_SHOW_H
 #define BALLOON_SHOW_SHOW_H
 
+#include "lab/advice/advise_later.h"
 #include "show/ghost.h"
 #include "show/stages.h"
 
@@ -22,6 +23,8 @@ typedef struct ShowOptions {
     const char* mode;        ///< display mode; NULL: the scene's
     const char* screenshots; ///< folder for screenshots; NULL: the current folder
     const char* compare;     ///< method of the ghost; NULL: none
+    AdviseLater* advice;     ///< a measurement that goes on: the scene starts again as it advises;
+                             ///< NULL: none
     Ghost* ghost;            ///< with that method, owned by the caller; NULL: none
     Stages* stages;          ///< receives the times of the stages; NULL: not wanted
     bool time;               ///< print the mean time of a frame's stages at the end

@@ -70,6 +70,32 @@ static bool notch_overrides(const App* app, int notch, Overrides* sets, Fault* f
     return true;
 }
 
+/// Restart the scene with its own overrides and these.
+static bool reload_with(App* app, const Overrides* sets) {
+    SceneSet set[MAP_SETS];
+    char how[MAX_OVERRIDES * 64];
+    int count = 0;
+    for (; count < app->set_count && count < MAP_SETS - sets->count; count++)
+        set[count] = app->set[count];
+    const int own = count;
+    for (int k = 0; k < sets->count; k++)
+        set[count++].text = sets->text[k];
+    describe_overrides(set + own, sets->count, how, sizeof how);
+    return reload_scene(app, set, count, how);
+}
+
+void app_follow_advice(App* app) {
+    AdviseLater* advice = app->options->advice;
+    Overrides sets;
+    char sentence[200] = "";
+    if (!advice || !advise_later_ended(advice, &sets, sentence, sizeof sentence))
+        return;
+    if (!app->options->quiet)
+        fprintf(stderr, "balloon: %s\n", sentence);
+    if (sets.count == 0 || reload_with(app, &sets))
+        app_say(app, "%s", sentence);
+}
+
 void app_select_notch(App* app, int notch) {
     if (!app->lab || app->lab->slider.notches == 0) {
         app_say(app, app->lab ? "nothing is measured of this scene yet: balloon advise"
@@ -79,8 +105,6 @@ void app_select_notch(App* app, int notch) {
     const int last = app->lab->slider.notches;
     notch = notch < 1 ? 1 : notch > last ? last : notch;
     Overrides sets = {.count = 0};
-    SceneSet set[MAP_SETS];
-    char how[MAX_OVERRIDES * 64];
     Fault fault = {0};
     if (notch == app->notch)
         return;
@@ -88,14 +112,7 @@ void app_select_notch(App* app, int notch) {
         app_say(app, "%s: %s", fault.place, fault.text);
         return;
     }
-    int count = 0;
-    for (; count < app->set_count && count < MAP_SETS - sets.count; count++)
-        set[count] = app->set[count];
-    const int own = count;
-    for (int k = 0; k < sets.count; k++)
-        set[count++].text = sets.text[k];
-    describe_overrides(set + own, sets.count, how, sizeof how);
-    if (!reload_scene(app, set, count, how))
+    if (!reload_with(app, &sets))
         return;
     app->watching = false;
     app->notch = notch;

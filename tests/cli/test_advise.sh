@@ -29,6 +29,26 @@ bad "not about outputs" "$balloon" advise limit-springs --error 1%
 bad "what you ask for" "$balloon" advise exact-cube
 bad "is not a number above 0, as in 4%" "$balloon" advise exact-cube --error lots
 bad "cannot be written" "$balloon" advise exact-cube --error 1% --out /proc/nothing/here
+ok "a program is told what to set" test "$("$balloon" advise exact-cube --error 1% --report | sed -n 's/^set \(method\|step\)=.*/\1/p' | paste -sd' ')" = "method step"
+ok "and takes what comes nearest" grep -q "^says .* % off" <("$balloon" advise exact-cube --error 1e-12 --report)
+
+# --- a folder that cannot be written keeps nothing, and the answer is given
+env XDG_CACHE_HOME=/proc/nothing "$balloon" advise exact-cube --error 1% >"$scratch/unkept.yaml" 2>"$scratch/said"
+ok "the answer is given" grep -q "^title: The exact cube$" "$scratch/unkept.yaml"
+ok "and the reason is said" grep -q "not kept, and measured again next time" "$scratch/said"
+
+# --- what runs for an advice ends with it, by any signal
+for signal in TERM KILL; do
+    "$balloon" advise party --budget 4ms --fresh >/dev/null 2>&1 &
+    parent=$!
+    child=
+    while [ -z "$child" ] && kill -0 $parent 2>/dev/null; do child=$(pgrep -P $parent); done
+    kill -$signal $parent
+    wait $parent 2>/dev/null
+    while [ -n "$child" ] && grep -q '^State:.[RSDT]' "/proc/$child/status" 2>/dev/null; do sleep 0.01; done
+    ok "no run outlives it ($signal)" test -n "$child"
+done
+
 ok "no cache, no harm" env -u HOME -u XDG_CACHE_HOME "$balloon" advise exact-cube --error 1% >/dev/null
 
 finish

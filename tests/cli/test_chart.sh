@@ -23,6 +23,9 @@ for file in chart.csv front.csv chart.md exact-cube.gp exact-cube.svg exact-cube
 done
 ok "the summary is said too" diff <(tail -n +3 "$scratch/cube/chart.md") "$scratch/said"
 ok "the machine is named" grep -q "^Measured on .*\(gcc\|clang\)" "$scratch/cube/chart.md"
+ok "what was not tried is said" grep -qE "^Quick: [0-9]+ of the chart's [0-9]+ resolutions were tried" "$scratch/cube/chart.md"
+bare=$(grep -cE "\| fell \|" "$scratch/cube/chart.md")
+ok "no bare 'fell' of a peer that was tried in part" test "$bare" = 0
 rm "$scratch/cube/exact-cube.svg"
 ok "its script draws it again" env -C "$scratch/cube" gnuplot exact-cube.gp
 ok "to the same file" test -s "$scratch/cube/exact-cube.svg"

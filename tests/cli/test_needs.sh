@@ -44,8 +44,26 @@ ok "every scene says what it is about" test "$("$balloon" needs | grep -c ' -$')
 ok "failures are about none" test "$("$balloon" needs | grep -c '^fails/.* none: ')" = "$(ls assets/scenes/fails/*.yaml | wc -l)"
 # what all of them need is measured by `make bench`; here those that cost little, of every kind of skin
 for scene in tether sphere-gas sewn-discs exact-cube; do
-    ok "$scene models no more than it needs" "$balloon" needs $scene --quick >"$scratch/said"
+    ok "$scene models no more than it needs" "$balloon" needs $scene --quick >"$scratch/said-$scene"
 done
+
+# --- the sample in the lab's README is what the program prints, but for the CPU time
+untimed() { sed -nE '/^ *tether$/,/^ *$/{ s/^    //; s/ +[0-9-]+ %  / /; /./p }' "$1"; }
+ok "the README has the sample" grep -q "^    tether$" src/lab/README.md
+ok "the README's sample is the program's" diff <(untimed src/lab/README.md) <(untimed "$scratch/said-tether")
+
+# --- a verdict follows from the numbers beside it: "needed" has one of 1 or more, or a run that ended
+follows() {
+    awk '/ %  / { verdict = $0; sub(/.* %  /, "", verdict); line = substr($0, 56); sub(/ +[0-9-]+ %  .*/, "", line)
+        n = split(line, change, " "); most = 0; none = 0
+        for (k = 1; k <= n; k++) { if (change[k] == "-") none = 1; else if (change[k] + 0 > most) most = change[k] + 0 }
+        bad = verdict ~ /^needed/ ? !none && most < 1 : verdict ~ /^untried/ ? !none : none || most >= 1
+        if (bad) { print; wrong = 1 } lines++ } END { exit wrong || lines < 4 }' "$1"
+}
+for scene in tether sphere-gas sewn-discs exact-cube; do
+    ok "$scene: verdicts follow from the changes" follows "$scratch/said-$scene"
+done
+ok "a step that the guard splits is untried" grep -qE "^step .* - .* untried: " "$scratch/said-tether"
 
 bad "about none: of the bench" "$balloon" needs limit-springs
 bad "does not say what it is about" "$balloon" needs cube

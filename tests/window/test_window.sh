@@ -291,6 +291,17 @@ ok "a window with --seconds ends by itself" test $status = 0
 ok "where a run ends" test "$(cat "$scratch/hash")" = \
     "$("$balloon" run "${scene[@]}" --seconds 0.1 --hash --quiet)"
 
+# --- advice that takes time is measured beside the window, and ends with it
+start --auto --fresh
+ok "a window with --auto opens at once" until_true is_open
+measures() { measuring=$(pgrep -P "$player" | head -1) && [ -n "$measuring" ]; }
+ok "while the advice is measured" until_true measures
+xdotool key q
+leave
+ok "it quits before the advice is there" test $status = 0
+gone() { ! kill -0 "$measuring" 2>/dev/null; }
+ok "and the measurement with it" until_true gone
+
 # --- a signal, and a display that goes away: the log is whole
 end_logged() { tail -n 1 "$scratch/log" | grep -q hash; }
 start --record log

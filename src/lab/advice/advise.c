@@ -9,15 +9,28 @@
 
 const double ADVISE_MARGIN = 1.5, ADVISE_FPS = 60;
 
+static int outputs_of(const char* scene, const SceneSet* set, int set_count) {
+    WorldDef def;
+    Fault unused = {0};
+    if (!scene_load(scene, set, set_count, &def, &unused))
+        return 0;
+    const int outputs = (int)scene_outputs(&def);
+    scene_free(&def);
+    return outputs;
+}
+
 bool advise_points(const char* scene, const SceneSet* set, int set_count, bool fresh,
                    Advice* advice, Fault* fault) {
     char* text = scene_text(scene, set, set_count, false, fault);
     if (!text)
         return false;
-    bool good = !fresh && advise_recall(text, advice);
-    if (!good)
-        good = advise_measure(scene, set, set_count, advice, fault) &&
-               advise_keep(text, advice, fault);
+    const int outputs = outputs_of(scene, set, set_count);
+    bool good = !fresh && outputs > 0 && advise_recall(text, outputs, advice);
+    if (!good) {
+        good = advise_measure(scene, set, set_count, advice, fault);
+        if (good)
+            advise_keep(text, advice);
+    }
     free(text);
     return good;
 }
@@ -93,6 +106,26 @@ void advise_sets(const World* world, const AdvicePoint* point, Overrides* sets) 
 
 // --- the verb ------------------------------------------------------------------------------------
 
+bool advise_is_kept(const AdviseOptions* options) {
+    Fault unused = {0};
+    Advice advice = {0};
+    char* text = scene_text(options->scene, options->set, options->set_count, false, &unused);
+    const bool kept =
+        text && !options->fresh &&
+        advise_recall(text, outputs_of(options->scene, options->set, options->set_count), &advice);
+    free(text);
+    advise_free(&advice);
+    return kept;
+}
+
+static void leave_out_others(Advice* advice, const char* precision) {
+    int count = 0;
+    for (int k = 0; k < advice->count; k++)
+        if (strcmp(advice->point[k].precision, precision) == 0)
+            advice->point[count++] = advice->point[k];
+    advice->count = count;
+}
+
 /// The point that is asked for, or with `anyway` what comes nearest, as overrides.
 static bool advise(const AdviseOptions* options, bool anyway, Advice* advice, AdvicePoint* point,
                    Overrides* sets, Fault* fault) {
@@ -104,6 +137,8 @@ static bool advise(const AdviseOptions* options, bool anyway, Advice* advice, Ad
         !world_open(&world, &def, fault))
         return false;
     scene_say_renamed(&world.def);
+    if (options->precision)
+        leave_out_others(advice, options->precision);
     const AdvicePoint* best;
     const AdvicePoint* found = advise_pick(advice, options->error, options->ms, &best);
     bool good = true;
@@ -146,31 +181,52 @@ static void write_head(const AdviseOptions* options, const Advice* advice, const
     fputc('\n', out);
 }
 
+static void describe(const Advice* advice, const AdvicePoint* point, char* text, size_t size) {
+    snprintf(text, size, "%s, %s, step %.3g s: at most %.2g %% off, for %.2g ms a frame",
+             point->method, point->precision, point->step, 100 * advise_promise(advice, point),
+             point->ms);
+}
+
+/// The scene as advised, or lines for programs.
+static bool write_advice(const AdviseOptions* options, const Advice* advice,
+                         const AdvicePoint* point, const Overrides* sets, FILE* out, Fault* fault) {
+    if (options->report) {
+        char text[160];
+        for (int k = 0; k < sets->count; k++)
+            fprintf(out, "set %s\n", sets->text[k]);
+        describe(advice, point, text, sizeof text);
+        fprintf(out, "says %s\n", text);
+        return true;
+    }
+    SceneSet* all = new_array(SceneSet, options->set_count + MAX_OVERRIDES);
+    const int count = join(options, sets, all);
+    char* text = scene_text(options->scene, all, count, true, fault);
+    const bool good = text != NULL;
+    if (good) {
+        write_head(options, advice, point, sets, out);
+        fputs(text, out);
+    }
+    free(all);
+    free(text);
+    return good;
+}
+
 bool advise_run(const AdviseOptions* options, Fault* fault) {
     Advice advice = {0};
     AdvicePoint point;
     Overrides sets = {.count = 0};
-    SceneSet* all = new_array(SceneSet, options->set_count + MAX_OVERRIDES);
-    char* text = NULL;
-    if (advise(options, false, &advice, &point, &sets, fault)) {
-        const int count = join(options, &sets, all);
-        text = scene_text(options->scene, all, count, true, fault);
-    }
-    FILE* out = !text ? NULL : options->out ? fopen(options->out, "w") : stdout;
-    bool good = out != NULL;
-    if (text && !out)
-        fault_set(fault, options->out, "cannot be written: %s", strerror(errno));
+    bool good = advise(options, options->report, &advice, &point, &sets, fault);
+    FILE* out = !good ? NULL : options->out ? fopen(options->out, "w") : stdout;
+    if (good && !out)
+        good = fault_set(fault, options->out, "cannot be written: %s", strerror(errno));
     if (out) {
-        write_head(options, &advice, &point, &sets, out);
-        fputs(text, out);
-        good = !ferror(out) && fflush(out) == 0;
+        good = write_advice(options, &advice, &point, &sets, out, fault);
+        bool whole = !ferror(out) && fflush(out) == 0;
         if (options->out)
-            good = fclose(out) == 0 && good;
-        if (!good)
-            fault_set(fault, options->out, "could not be written to its end");
+            whole = fclose(out) == 0 && whole;
+        if (good && !whole)
+            good = fault_set(fault, options->out, "could not be written to its end");
     }
-    free(text);
-    free(all);
     advise_free(&advice);
     return good;
 }
@@ -179,10 +235,11 @@ bool advise_auto(const AdviseOptions* options, Overrides* sets, Fault* fault) {
     Advice advice = {0};
     AdvicePoint point;
     const bool good = advise(options, true, &advice, &point, sets, fault);
-    if (good)
-        fprintf(stderr, "balloon: %s, %s, step %.3g s: at most %.2g %% off, for %.2g ms a frame\n",
-                point.method, point.precision, point.step, 100 * advise_promise(&advice, &point),
-                point.ms);
+    if (good) {
+        char text[160];
+        describe(&advice, &point, text, sizeof text);
+        fprintf(stderr, "balloon: %s\n", text);
+    }
     advise_free(&advice);
     return good;
 }

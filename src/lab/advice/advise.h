@@ -13,10 +13,11 @@
 /// of the scene's own method tell of no step at all, order 1, and two levels of the mesh of endless
 /// fineness, order 2; the floor is a tenth of how far the finest run is off that, 1e-4 at least.
 /// Steps are 1/60 s halved again and again, from where the guard does not split them, until the
-/// error stands still or a second costs 25 ms a frame.
+/// error stands still or a second costs 25 ms a frame; a run that is sure to cost more is ended. The
+/// whole takes ADVISE_SECONDS_MAX at most: then what was measured until then is all there is.
 ///
 /// Points are kept where the system keeps caches, and hold for every scene of the same words whose
-/// numbers are within a fifth, on the same machine.
+/// numbers are within a fifth, on the same machine, for the same build of the program.
 #ifndef BALLOON_LAB_ADVICE_ADVISE_H
 #define BALLOON_LAB_ADVICE_ADVISE_H
 
@@ -70,15 +71,21 @@ typedef struct AdviseOptions {
     const char* scene;
     const SceneSet* set;
     int set_count;
-    double error;    ///< asked for [1]; 0: not
-    double ms;       ///< of a frame [ms]; 0: not asked for
-    bool fresh;      ///< measure again
-    const char* out; ///< file for the scene; NULL: standard output
+    double error; ///< asked for [1]; 0: not
+    double ms;    ///< of a frame [ms]; 0: not asked for
+    bool fresh;   ///< measure again
+    bool report;  ///< print lines for programs: "set KEY=VALUE", "says SENTENCE", and what comes
+                  ///< nearest where the request cannot be met
+    const char* precision; ///< only points of this one; NULL: of any
+    const char* out;       ///< file for the scene; NULL: standard output
 } AdviseOptions;
 
 /// Write the scene as advised, what is expected of it in its head. Where it cannot be had, the
 /// fault says what the best is.
 bool advise_run(const AdviseOptions* options, Fault* fault);
+
+/// Whether the points of the scene are kept, so that advice takes no time.
+bool advise_is_kept(const AdviseOptions* options);
 
 /// The same for a scene that is about to be opened: its overrides, or those of what comes nearest.
 bool advise_auto(const AdviseOptions* options, Overrides* sets, Fault* fault);
@@ -88,10 +95,12 @@ bool advise_auto(const AdviseOptions* options, Overrides* sets, Fault* fault);
 bool advise_measure(const char* scene, const SceneSet* set, int set_count, Advice* advice,
                     Fault* fault);
 
-/// False where there is nothing that fits; no fault.
-bool advise_recall(const char* text, Advice* advice);
+/// What was kept of a scene that is about so many outputs. False where nothing is kept that fits: a
+/// file that is damaged, of another machine or program, or that no measurement could have written is
+/// ignored. text: the scene with nothing left to guess (scene_text).
+bool advise_recall(const char* text, int outputs, Advice* advice);
 
-/// text: the scene with nothing left to guess (scene_text).
-bool advise_keep(const char* text, const Advice* advice, Fault* fault);
+/// Keep it where the system keeps caches; where that cannot be done, the reason is printed.
+void advise_keep(const char* text, const Advice* advice);
 
 #endif

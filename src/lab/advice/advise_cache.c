@@ -3,13 +3,16 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/hash.h"
+#include "base/input_file.h"
 #include "base/memory.h"
+#include "base/paths.h"
 #include "lab/advice/advise.h"
 #include "lab/run/machine.h"
 
-enum { NUMBERS_MOST = 1000 };
+enum { NUMBERS_MOST = 1000, POINTS_MOST = 10000, FILE_BYTES_MOST = 1 << 21 };
 
 /// Scenes whose numbers differ by more are others. [1]
 static const double alike = 0.2;
@@ -36,7 +39,7 @@ static void likeness_of(const char* text, Likeness* likeness) {
     }
 }
 
-static bool place(const Likeness* likeness, char folder[400], char file[512]) {
+static bool find_file(const Likeness* likeness, char folder[400], char file[512]) {
     const char* cache = getenv("XDG_CACHE_HOME");
     const char* home = getenv("HOME");
     if (cache && cache[0])
@@ -60,6 +63,26 @@ static bool make_folders(const char* folder) {
     }
 }
 
+/// The first line: the machine, and the program that was measured, which changes when it is built.
+static void write_title(char* line, size_t size) {
+    char program[512];
+    struct stat status = {0};
+    Fault unused = {0};
+    if (paths_sibling("balloon", program, &unused))
+        stat(program, &status);
+    snprintf(line, size, "%s, program of %lld bytes, %lld", machine_name(),
+             (long long)status.st_size, (long long)status.st_mtime);
+}
+
+static bool title_fits(FILE* in) {
+    char line[512], kept[512];
+    write_title(line, sizeof line);
+    if (!fgets(kept, sizeof kept, in))
+        return false;
+    kept[strcspn(kept, "\n")] = '\0';
+    return strcmp(kept, line) == 0;
+}
+
 static bool numbers_fit(const Likeness* likeness, FILE* in) {
     int count;
     if (fscanf(in, "numbers %d", &count) != 1 || count != likeness->count)
@@ -73,55 +96,94 @@ static bool numbers_fit(const Likeness* likeness, FILE* in) {
     return true;
 }
 
-static bool read_points(Advice* advice, FILE* in) {
-    int room;
+static bool read_reference(Advice* advice, int outputs, FILE* in) {
     if (fscanf(in, " floor %lf outputs %d", &advice->floor, &advice->outputs) != 2 ||
-        advice->outputs < 1 || advice->outputs > ADVISE_OUTPUTS)
+        advice->outputs != outputs || !(advice->floor >= 0 && isfinite(advice->floor)))
         return false;
-    for (int k = 0; k < advice->outputs; k++)
-        if (fscanf(in, "%lf", &advice->reference[k]) != 1)
+    for (int k = 0; k < outputs; k++)
+        if (fscanf(in, "%lf", &advice->reference[k]) != 1 || !isfinite(advice->reference[k]) ||
+            advice->reference[k] == 0)
             return false;
-    if (fscanf(in, " points %d", &room) != 1 || room < 1)
+    return true;
+}
+
+/// Whether the program could have measured this. Every comparison with NAN is false.
+static bool is_possible(const AdvicePoint* p) {
+    return method_find(p->method) &&
+           (strcmp(p->precision, "float") == 0 || strcmp(p->precision, "double") == 0) &&
+           abs(p->level) < 10 && p->step > 0 && p->step <= 1 && p->error >= 0 && p->ms >= 0;
+}
+
+static bool read_points(Advice* advice, FILE* in) {
+    int count;
+    if (fscanf(in, " points %d", &count) != 1 || count < 1 || count > POINTS_MOST)
         return false;
-    advice->point = new_array(AdvicePoint, room);
-    for (; advice->count < room; advice->count++) {
+    advice->point = new_array(AdvicePoint, count);
+    for (; advice->count < count; advice->count++) {
         AdvicePoint* p = &advice->point[advice->count];
         if (fscanf(in, " %23[^,],%7[^,],%d,%lf,%lf,%lf", p->method, p->precision, &p->level,
-                   &p->step, &p->error, &p->ms) != 6)
+                   &p->step, &p->error, &p->ms) != 6 ||
+            !is_possible(p))
             return false;
     }
     return true;
 }
 
-bool advise_recall(const char* text, Advice* advice) {
-    Likeness likeness;
-    char folder[400], file[512], machine[256] = "";
-    *advice = (Advice){0};
-    likeness_of(text, &likeness);
-    FILE* in = place(&likeness, folder, file) ? fopen(file, "r") : NULL;
+static const char hash_line[] = "hash ";
+
+/// Cut off the last line, which has the hash of all before it. False where it does not.
+static bool check_hash(char* text, size_t size) {
+    size_t at = size;
+    while (at > 0 && !(text[at - 1] == '\n' && at < size))
+        at--;
+    const uint64_t hash = hash_bytes(HASH_START, text, at);
+    char line[40];
+    snprintf(line, sizeof line, "%s%016llx\n", hash_line, (unsigned long long)hash);
+    const bool good = at > 0 && strcmp(text + at, line) == 0;
+    text[at] = '\0';
+    return good;
+}
+
+/// The file's text, without its hash; NULL where there is none that is whole.
+static char* read_file(const char* file) {
+    Fault unused = {0};
+    FILE* in = input_file_open(file, &unused);
     if (!in)
-        return false;
-    const bool good = fgets(machine, sizeof machine, in) &&
-                      strncmp(machine, machine_name(), strcspn(machine, "\n")) == 0 &&
-                      numbers_fit(&likeness, in) && read_points(advice, in);
+        return NULL;
+    char* text = new_array(char, FILE_BYTES_MOST + 1);
+    const size_t size = fread(text, 1, FILE_BYTES_MOST, in);
     fclose(in);
+    if (check_hash(text, size))
+        return text;
+    free(text);
+    return NULL;
+}
+
+bool advise_recall(const char* scene, int outputs, Advice* advice) {
+    Likeness likeness;
+    char folder[400], file[512];
+    *advice = (Advice){0};
+    likeness_of(scene, &likeness);
+    char* text = find_file(&likeness, folder, file) ? read_file(file) : NULL;
+    FILE* in = text && text[0] ? fmemopen(text, strlen(text), "r") : NULL;
+    const bool good = in && title_fits(in) && numbers_fit(&likeness, in) &&
+                      read_reference(advice, outputs, in) && read_points(advice, in);
+    if (in)
+        fclose(in);
+    free(text);
     if (!good)
         advise_free(advice);
     return good;
 }
 
-bool advise_keep(const char* text, const Advice* advice, Fault* fault) {
-    Likeness likeness;
-    char folder[400], file[512];
-    likeness_of(text, &likeness);
-    if (!place(&likeness, folder, file))
-        return true; // nowhere to keep anything: it will be measured again
-    FILE* out = make_folders(folder) ? fopen(file, "w") : NULL;
-    if (!out)
-        return fault_set(fault, file, "the cache cannot be written: %s", strerror(errno));
-    fprintf(out, "%s\nnumbers %d", machine_name(), likeness.count);
-    for (int k = 0; k < likeness.count; k++)
-        fprintf(out, " %.17g", likeness.number[k]);
+static char* text_of(const Likeness* likeness, const Advice* advice) {
+    char *text = NULL, title[512];
+    size_t size = 0;
+    FILE* out = open_memstream(&text, &size);
+    write_title(title, sizeof title);
+    fprintf(out, "%s\nnumbers %d", title, likeness->count);
+    for (int k = 0; k < likeness->count; k++)
+        fprintf(out, " %.17g", likeness->number[k]);
     fprintf(out, "\nfloor %.17g outputs %d", advice->floor, advice->outputs);
     for (int k = 0; k < advice->outputs; k++)
         fprintf(out, " %.17g", advice->reference[k]);
@@ -131,6 +193,39 @@ bool advise_keep(const char* text, const Advice* advice, Fault* fault) {
         fprintf(out, "%s,%s,%d,%.17g,%.17g,%.17g\n", p->method, p->precision, p->level, p->step,
                 p->error, p->ms);
     }
+    fflush(out);
+    const uint64_t hash = hash_bytes(HASH_START, text, size);
+    fprintf(out, "%s%016llx\n", hash_line, (unsigned long long)hash);
+    fclose(out);
+    return text;
+}
+
+/// Write beside the file, then put it in the file's place: nobody reads a half.
+static bool replace_file(const char* file, const char* text) {
+    char beside[540];
+    snprintf(beside, sizeof beside, "%s.%ld", file, (long)getpid());
+    FILE* out = fopen(beside, "w");
+    if (!out)
+        return false;
+    fputs(text, out);
     const bool whole = !ferror(out);
-    return (fclose(out) == 0 && whole) || fault_set(fault, file, "could not be written to its end");
+    if (fclose(out) == 0 && whole && rename(beside, file) == 0)
+        return true;
+    const int reason = errno;
+    unlink(beside);
+    errno = reason;
+    return false;
+}
+
+void advise_keep(const char* scene, const Advice* advice) {
+    Likeness likeness;
+    char folder[400], file[512];
+    likeness_of(scene, &likeness);
+    if (!find_file(&likeness, folder, file))
+        return;
+    char* text = text_of(&likeness, advice);
+    if (!make_folders(folder) || !replace_file(file, text))
+        fprintf(stderr, "balloon: %s: not kept, and measured again next time: %s\n", file,
+                strerror(errno));
+    free(text);
 }

@@ -14,6 +14,9 @@
 
 enum { ROUNDS = 3, OUTPUTS_MOST = 16 };
 
+/// UNTRIED: the guard split a longer step into the scene's own, so that nothing was made simpler.
+typedef enum Verdict { UNNEEDED, NEEDED, UNTRIED } Verdict;
+
 /// The scene as it is, or without one part.
 typedef struct Need {
     NeedsPart part; ///< of the first of all: nothing is missing
@@ -23,7 +26,7 @@ typedef struct Need {
     double ms;                   ///< CPU time per simulated second, the least of all rounds
     int parts;                   ///< in which the guard had a step made
     bool ended;                  ///< it came to its end
-    bool needed;
+    Verdict verdict;
     const char* because; ///< the scene's reason; NULL: none
 } Need;
 
@@ -114,16 +117,20 @@ static bool is_simpler(const Need* need, const Need* whole) {
     return strcmp(need->part.name, "step") != 0 || need->parts < 2 * whole->parts;
 }
 
+/// The verdict follows from the changes alone; a run that did not come to its end has none.
 static void judge(Needs* needs) {
     const Need* whole = &needs->need[0];
     for (int n = 1; n < needs->count; n++) {
         Need* need = &needs->need[n];
-        need->needed = !need->ended || !is_simpler(need, whole);
+        need->verdict = need->ended ? UNNEEDED : NEEDED;
         for (unsigned k = 0; k < needs->outputs; k++) {
             const double size = needs->world.def.about[k].tolerance * fabs(whole->value[k]);
             need->change[k] = fabs(need->value[k] - whole->value[k]) / size;
-            need->needed = need->needed || !(need->change[k] < 1);
+            if (!(need->change[k] < 1))
+                need->verdict = NEEDED;
         }
+        if (need->ended && !is_simpler(need, whole))
+            need->verdict = UNTRIED;
     }
 }
 
@@ -161,18 +168,25 @@ static bool has_outputs(const Needs* needs, Fault* fault) {
 // --- what is said --------------------------------------------------------------------------------
 
 static const char* verdict_of(const Need* need) {
-    return need->needed ? "needed" : need->because ? "unneeded, but" : "UNNEEDED";
+    return need->verdict == UNTRIED  ? "untried: the guard splits it to the scene's own"
+           : need->verdict == NEEDED ? "needed"
+           : need->because           ? "unneeded, but"
+                                     : "UNNEEDED";
 }
 
 static void print_need(const Needs* needs, const Need* need) {
     printf("%-22s %-32s", need->part.name, need->part.instead);
     for (unsigned k = 0; k < needs->outputs; k++)
-        if (need->ended && isfinite(need->change[k]))
+        if (need->ended && need->verdict != UNTRIED && isfinite(need->change[k]))
             printf(" %10.3g", need->change[k]);
         else
             printf(" %10s", "-");
-    printf(" %8.0f %%  %s", 100 * need->ms / needs->need[0].ms, verdict_of(need));
-    if (!need->needed && need->because)
+    const double share = 100 * need->ms / needs->need[0].ms;
+    if (isfinite(share))
+        printf(" %8.0f %%  %s", share, verdict_of(need));
+    else // too short for the clock
+        printf(" %8s %%  %s", "-", verdict_of(need));
+    if (need->verdict == UNNEEDED && need->because)
         printf(" %s", need->because);
     putchar('\n');
 }
@@ -209,9 +223,10 @@ static void write_rows(const Needs* needs, FILE* out) {
         const Need* need = &needs->need[n];
         const unsigned k = worst(needs, need);
         const double tolerance = needs->world.def.about[k].tolerance;
-        fprintf(out, "%s,%s,%.6g,%g,%.3g,%d,\"%s\"\n", name, need->part.name,
-                need->change[k] * tolerance, tolerance, need->ms / needs->need[0].ms, need->needed,
-                need->because ? need->because : "");
+        static const char* const needed[] = {"0", "1", ""};
+        fprintf(out, "%s,%s,%.6g,%g,%.3g,%s,\"%s\"\n", name, need->part.name,
+                need->change[k] * tolerance, tolerance, need->ms / needs->need[0].ms,
+                needed[need->verdict], need->because ? need->because : "");
     }
 }
 
@@ -219,7 +234,7 @@ static void write_rows(const Needs* needs, FILE* out) {
 static void name_unneeded(const Needs* needs, char* names, size_t size) {
     for (int n = 1; n < needs->count; n++) {
         const Need* need = &needs->need[n];
-        if (!need->needed && !need->because)
+        if (need->verdict == UNNEEDED && !need->because)
             table_add_name(names, size, need->part.name);
     }
 }

@@ -8,7 +8,8 @@
 ///
 /// A part is unneeded where no output changes by a tolerance or more; the CPU time that is left
 /// without it is told, and decides nothing. A run that is refused, goes bad, or has no such output
-/// says that the part is needed; and so does a step that the guard splits until it is the old one.
+/// says that the part is needed. A longer step that the guard splits into the scene's own was not
+/// tried, and says nothing.
 /// The scene's `because:` names the parts that stay for another reason.
 #ifndef BALLOON_LAB_ADVICE_NEEDS_H
 #define BALLOON_LAB_ADVICE_NEEDS_H

@@ -49,6 +49,7 @@ enum { CHART_REFERENCES = 4 }; ///< runs of a case without a closed form
 
 /// All points of a chart and their runs; points may share a run.
 typedef struct ChartPlan {
+    ChartExtent extent; ///< what was planned of the whole chart
     ChartPoint* point;
     int points;
     Launch* launch;

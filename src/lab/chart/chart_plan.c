@@ -244,7 +244,7 @@ static bool walk(ChartPlan* plan, const ChartCase* chart, const ChartOptions* op
 }
 
 bool chart_plan(ChartPlan* plan, const ChartOptions* options, Fault* fault) {
-    *plan = (ChartPlan){0};
+    *plan = (ChartPlan){.extent = options->extent};
     int room = 0;
     for (int k = 0; k < chart_count; k++)
         if (is_wanted(chart_table[k], options->only))

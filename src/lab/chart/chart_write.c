@@ -126,6 +126,50 @@ static void write_best(const ChartPoint* point, FILE* out) {
         fprintf(out, "- | - | - |");
 }
 
+/// Rows of a list of resolutions within an extent.
+static int resolutions(const ChartResolution* at, ChartExtent extent) {
+    int count = 0;
+    for (; at && at->model; at++)
+        count += at->extent <= extent;
+    return count;
+}
+
+/// The peer has no point that is stable: the reason, and what was tried of the whole chart.
+static void write_fallen(const ChartPlan* plan, const ChartCase* chart, FILE* out) {
+    const ChartPeer* peer = &chart->peer;
+    const int whole = resolutions(peer->resolution, CHART_FULL);
+    const int tried = resolutions(peer->resolution, plan->extent);
+    if (peer->none || whole == 0)
+        fprintf(out, " %s | - |\n", peer->none ? peer->none : "-");
+    else if (tried == 0)
+        fprintf(out, " not tried: 0 of %d resolutions | - |\n", whole);
+    else if (tried < whole)
+        fprintf(out, " fell in the %d of %d resolutions tried | - |\n", tried, whole);
+    else
+        fprintf(out, " fell | - |\n");
+}
+
+/// What a quick chart leaves out.
+static void write_extent(const ChartPlan* plan, FILE* out) {
+    if (plan->extent != CHART_QUICK)
+        return;
+    int tried = 0, whole = 0;
+    for (int from = 0; from < plan->points; from = chart_end(plan, from)) {
+        const ChartCase* chart = plan->point[from].chart;
+        for (int s = 0; s <= CHART_SKINS; s++) {
+            const ChartResolution* at =
+                s < CHART_SKINS ? chart->skin[s].resolution : chart->peer.resolution;
+            tried += resolutions(at, CHART_QUICK);
+            whole += resolutions(at, CHART_FULL);
+        }
+    }
+    fprintf(
+        out,
+        "\nQuick: %d of the chart's %d resolutions were tried. An error is the best of those, and "
+        "\"fell\" says nothing of the others.\n",
+        tried, whole);
+}
+
 /// For each scene the cheapest point below 1 %, or the most accurate one, and the peer's best.
 static void write_table(const ChartPlan* plan, FILE* out) {
     fprintf(out,
@@ -144,11 +188,9 @@ static void write_table(const ChartPlan* plan, FILE* out) {
             write_error(peer, out);
             fprintf(out, " | %.3g |\n", peer->ms);
         } else
-            fprintf(out, " %s | - |\n",
-                    first->chart->peer.none         ? first->chart->peer.none
-                    : first->chart->peer.resolution ? "fell"
-                                                    : "-");
+            write_fallen(plan, first->chart, out);
     }
+    write_extent(plan, out);
 }
 
 static bool write_summary(const ChartPlan* plan, const char* folder, Fault* fault) {

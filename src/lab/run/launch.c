@@ -1,35 +1,31 @@
 #include "lab/run/launch.h"
 
 #include <errno.h>
-#include <spawn.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/child.h"
+#include "base/clock.h"
 #include "base/memory.h"
 
-extern char** environ;
-
-enum { MAX_PARALLEL = 16 };
-
-/// A running program and the files of its output.
-typedef struct Running {
-    Launch* launch; ///< NULL: this slot is free
-    pid_t process;
-    FILE* out;
-    FILE* err;
-} Running;
+const double LAUNCH_CPU_MAX = 3600;
+const unsigned long LAUNCH_BYTES_MAX = 8ul << 30;
 
 void launch_add(Launch* launch, const char* format, ...) {
     ASSERT(launch->words < LAUNCH_WORDS, "a command line has room for its words");
-    char word[512];
-    va_list list;
+    va_list list, again;
     va_start(list, format);
-    vsnprintf(word, sizeof word, format, list);
+    va_copy(again, list);
+    const int length = vsnprintf(NULL, 0, format, list);
+    char* word = new_array(char, length + 1);
+    vsnprintf(word, (size_t)length + 1, format, again);
+    va_end(again);
     va_end(list);
-    launch->word[launch->words] = new_array(char, strlen(word) + 1);
-    strcpy(launch->word[launch->words++], word);
+    launch->word[launch->words++] = word;
 }
 
 bool launch_same(const Launch* a, const Launch* b) {
@@ -57,73 +53,115 @@ static void forget_output(Launch* launch) {
     launch->out = launch->err = NULL;
 }
 
-static bool begin(Running* running, Launch* launch, Fault* fault) {
+/// In the child: become the program, or send the reason why not.
+static void become(const Launch* launch, int failed) {
+    dup2(fileno(launch->out_file), STDOUT_FILENO);
+    dup2(fileno(launch->err_file), STDERR_FILENO);
+    execv(launch->word[0], launch->word);
+    const int reason = errno;
+    _exit(write(failed, &reason, sizeof reason) < 0 ? 2 : 1);
+}
+
+/// Start the process; returns 0, or an error number.
+static int start_process(Launch* launch) {
+    int failed[2], reason = 0;
+    if (!launch->out_file || !launch->err_file || pipe(failed) != 0)
+        return errno;
+    fcntl(failed[1], F_SETFD, FD_CLOEXEC);
+    fcntl(failed[0], F_SETFD, FD_CLOEXEC);
+    // its CPU time is watched from here: a limit of the system would make the clock coarse by which
+    // a run measures itself
+    launch->process = child_fork(&(ChildLimits){.bytes = LAUNCH_BYTES_MAX});
+    if (launch->process == 0)
+        become(launch, failed[1]);
+    if (launch->process < 0)
+        reason = errno;
+    close(failed[1]);
+    // a program that has begun closes the pipe without a word
+    if (read(failed[0], &reason, sizeof reason) > 0)
+        waitpid(launch->process, &launch->status, 0);
+    close(failed[0]);
+    return reason;
+}
+
+bool launch_begin(Launch* launch, Fault* fault) {
     forget_output(launch);
-    *running = (Running){.launch = launch, .out = tmpfile(), .err = tmpfile()};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    int bad = !running->out || !running->err ? errno : 0;
-    if (!bad) {
-        posix_spawn_file_actions_adddup2(&actions, fileno(running->out), STDOUT_FILENO);
-        posix_spawn_file_actions_adddup2(&actions, fileno(running->err), STDERR_FILENO);
-        bad =
-            posix_spawn(&running->process, launch->word[0], &actions, NULL, launch->word, environ);
-    }
-    posix_spawn_file_actions_destroy(&actions);
-    if (!bad)
+    launch->out_file = tmpfile();
+    launch->err_file = tmpfile();
+    launch->start = clock_seconds(CLOCK_MONOTONIC);
+    const int reason = start_process(launch);
+    if (!reason)
         return true;
-    if (running->out)
-        fclose(running->out);
-    if (running->err)
-        fclose(running->err);
-    running->launch = NULL;
-    return fault_set(fault, launch->word[0], "cannot be started: %s", strerror(bad));
+    launch->process = 0;
+    if (launch->out_file)
+        fclose(launch->out_file);
+    if (launch->err_file)
+        fclose(launch->err_file);
+    return fault_set(fault, launch->word[0], "cannot be started: %s", strerror(reason));
 }
 
-/// Wait for the program that ends next, and read its output.
-static void end_one(Running* running) {
-    int status;
-    const pid_t process = wait(&status);
-    for (int k = 0; k < MAX_PARALLEL; k++)
-        if (running[k].launch && running[k].process == process) {
-            running[k].launch->status = status;
-            running[k].launch->out = read_all(running[k].out);
-            running[k].launch->err = read_all(running[k].err);
-            running[k].launch = NULL;
-        }
+static bool is_over_its_limits(const Launch* launch) {
+    const double cpu_max = launch->cpu_max > 0 ? launch->cpu_max : LAUNCH_CPU_MAX;
+    clockid_t cpu;
+    return (launch->wall_max > 0 &&
+            clock_seconds(CLOCK_MONOTONIC) - launch->start > launch->wall_max) ||
+           (clock_getcpuclockid(launch->process, &cpu) == 0 && clock_seconds(cpu) > cpu_max);
 }
 
-static int free_slot(const Running* running, int parallel) {
-    for (int k = 0; k < parallel; k++)
-        if (!running[k].launch)
-            return k;
-    return -1;
+bool launch_has_ended(Launch* launch) {
+    if (is_over_its_limits(launch))
+        kill(launch->process, SIGKILL);
+    const pid_t ended = waitpid(launch->process, &launch->status, WNOHANG);
+    if (ended != launch->process)
+        return false;
+    launch->process = 0;
+    launch->out = read_all(launch->out_file);
+    launch->err = read_all(launch->err_file);
+    return true;
+}
+
+/// Wait until one of the runs has ended.
+static void end_one(Launch** running, int* count) {
+    const struct timespec moment = {.tv_nsec = 1000000};
+    for (;;) {
+        for (int k = 0; k < *count; k++)
+            if (launch_has_ended(running[k])) {
+                running[k] = running[--*count];
+                return;
+            }
+        nanosleep(&moment, NULL);
+    }
 }
 
 bool launch_all(Launch* launch, int count, int parallel, const char* title, Fault* fault) {
-    ASSERT(parallel <= MAX_PARALLEL, "there is a slot for each running program");
-    const bool progress = isatty(STDERR_FILENO);
-    Running running[MAX_PARALLEL] = {{0}};
+    const bool say = title && isatty(STDERR_FILENO);
+    Launch** running = new_array(Launch*, parallel);
     int running_count = 0, next = 0;
     bool good = true;
     while (running_count > 0 || (good && next < count)) {
-        const int slot = free_slot(running, parallel);
-        if (good && next < count && slot >= 0) {
-            good = begin(&running[slot], &launch[next++], fault);
+        if (good && next < count && running_count < parallel) {
+            running[running_count] = &launch[next++];
+            good = launch_begin(running[running_count], fault);
             running_count += good;
             continue;
         }
-        end_one(running);
-        running_count--;
-        if (progress)
+        end_one(running, &running_count);
+        if (say)
             fprintf(stderr, "\r%s: %d of %d ", title, next - running_count, count);
     }
-    if (progress)
+    if (say)
         fprintf(stderr, "\r%*s\r", (int)strlen(title) + 24, "");
+    free(running);
     return good;
 }
 
 void launch_free(Launch* launch) {
+    if (launch->process > 0) {
+        kill(launch->process, SIGKILL);
+        waitpid(launch->process, &launch->status, 0);
+        fclose(launch->out_file);
+        fclose(launch->err_file);
+    }
     for (int k = 0; k < launch->words; k++)
         free(launch->word[k]);
     forget_output(launch);
