@@ -1,5 +1,6 @@
 #include "base/child.h"
 
+#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -47,4 +48,26 @@ pid_t child_fork(const ChildLimits* limits) {
     if (child == 0)
         limit_child(limits, parent);
     return child;
+}
+
+bool child_send(int pipe_end, const void* bytes, size_t size) {
+    for (const char* at = bytes; size > 0;) {
+        const ssize_t sent = write(pipe_end, at, size);
+        if (sent < 0 && errno != EINTR)
+            return false;
+        at += sent > 0 ? sent : 0;
+        size -= sent > 0 ? (size_t)sent : 0;
+    }
+    return true;
+}
+
+bool child_receive(int pipe_end, void* bytes, size_t size) {
+    for (char* at = bytes; size > 0;) {
+        const ssize_t received = read(pipe_end, at, size);
+        if (received == 0 || (received < 0 && errno != EINTR))
+            return false;
+        at += received > 0 ? received : 0;
+        size -= received > 0 ? (size_t)received : 0;
+    }
+    return true;
 }

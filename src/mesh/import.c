@@ -9,6 +9,7 @@
 #include <assimp/cimport.h>
 #include <assimp/scene.h>
 
+#include "mesh/bounded.h"
 #include "mesh/file.h"
 #include "mesh/mesh.h"
 
@@ -170,16 +171,17 @@ static bool check_header(const char* path, Fault* fault) {
     return good;
 }
 
-bool import_read(MeshSource* source, const char* path, Fault* fault) {
-    *source = (MeshSource){0};
-    if (!check_header(path, fault))
-        return false;
-
-    // by its path, not from memory: a glTF file may name others beside it
+/// By its path, not from memory: a glTF file may name others beside it.
+static bool read_by_assimp(MeshSource* source, const char* path, Fault* fault) {
     const struct aiScene* scene = aiImportFile(path, 0);
     if (!scene)
         return fault_set(fault, path, "assimp cannot read it: %s", aiGetErrorString());
     const bool good = take_scene(scene, source, path, fault);
     aiReleaseImport(scene);
     return good;
+}
+
+bool import_read(MeshSource* source, const char* path, Fault* fault) {
+    *source = (MeshSource){0};
+    return check_header(path, fault) && bounded_read(read_by_assimp, source, path, fault);
 }
