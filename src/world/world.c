@@ -6,6 +6,7 @@
 #include "base/crew.h"
 #include "base/hash.h"
 #include "base/memory.h"
+#include "contact/ball_start.h"
 #include "force/inflation.h"
 #include "world/command.h"
 #include "world/rest.h"
@@ -37,9 +38,15 @@ static void open_contacts(World* world) {
     for (unsigned s = 0; s < def->spheres_count; s++) {
         const SphereDef* ball = &def->spheres[s];
         const double none[3] = {0};
-        const Sphere sphere =
-            sphere_of(ball->position, ball->velocity ? ball->velocity : none, ball->radius,
-                      ball->mass, ball->restitution, ball->friction);
+        Sphere sphere = sphere_of(ball->position, ball->velocity ? ball->velocity : none,
+                                  ball->radius, ball->mass, ball->restitution, ball->friction);
+        const int skin = ball_start_clear(&sphere, world->system.body, world->balloon_count);
+        if (skin != NONE)
+            snprintf(
+                world->notice, sizeof world->notice,
+                "spheres.%u begins across the skin of balloons.%d; it was moved to %.3g, %.3g, "
+                "%.3g",
+                s, skin, (double)sphere.x[0], (double)sphere.x[1], (double)sphere.x[2]);
         contacts_add(&world->contacts, &sphere);
     }
 }

@@ -307,6 +307,31 @@ static void tether_bears_the_lift(void** state) {
     world_close(&world);
 }
 
+/// From outside and from inside, wherever its centre is: it touches then, and passes nothing.
+static void a_ball_across_a_skin_is_moved_away(void** state) {
+    (void)state;
+    static const double start[] = {0.26, 0.24, 0.21, 0.2, 0.19, 0.16, 0.1};
+    for (int k = 0; k < 7; k++) {
+        World world;
+        char position[96];
+        snprintf(position, sizeof position,
+                 "spheres=[{position: [%g, 0, 0], radius: 0.05, mass: 0.01}]", start[k]);
+        WORLD_OF(&world, "icosphere:3", "balloons.0.size=0.4", "gravity=0", position);
+        const double x = (double)world.contacts.sphere[0].x[0];
+        const double overlap = 0.05 - fabs(start[k] - 0.2);
+        if (overlap > 0.03) { // a skin of triangles lies up to 0.002 inside its sphere
+            assert_non_null(strstr(world.notice, "spheres.0 begins across the skin of balloons.0"));
+            assert_true(fabs(fabs(x - 0.2) - 0.05) < 0.003);
+        } else if (overlap < 0.02) {
+            assert_true(fabs(x - start[k]) < 1e-7);
+            assert_string_equal(world.notice, "");
+        }
+        run_for(&world, 0.2);
+        assert_true(probe(&world, "pass_throughs") == 0);
+        world_close(&world);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(methods_refuse_what_they_do_not_take),
@@ -322,6 +347,7 @@ int main(void) {
         cmocka_unit_test(no_split_makes_up_for_what_is_never_stable),
         cmocka_unit_test(blow_up_is_named_and_survived),
         cmocka_unit_test(total_energy_stays),
+        cmocka_unit_test(a_ball_across_a_skin_is_moved_away),
         cmocka_unit_test(tether_bears_the_lift),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
