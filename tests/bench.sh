@@ -21,3 +21,10 @@ done
 "$build/balloon" bench --out out
 # what no scene needs, of every shipped one
 "$build/balloon" needs --all --quick --out out
+# how long an advice takes, of every shipped scene that is about something: two minutes at most
+printf '%-24s %8s  %s\n' scene "advice s" "within 8 ms a frame"
+for scene in $("$build/balloon" needs | sed -nE 's/^([a-z][^ ]*) .* at .*/\1/p'); do
+    start=$(date +%s)
+    advice=$("$build/balloon" advise "$scene" --budget 8ms --fresh --report 2>&1 | sed -nE 's/^(says|balloon:) //p' | tail -1)
+    printf '%-24s %8d  %s\n' "$scene" $(($(date +%s) - start)) "$advice"
+done
