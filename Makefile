@@ -6,6 +6,7 @@
 #               clang, state hashes of all scenes with both, all tests under the address and
 #               undefined-behavior sanitizers, those of threads under the thread sanitizer; ONLY as above
 # make tidy     clang-tidy with the checks of src/.clang-tidy
+# make fuzz     libFuzzer on the readers of files and of the command line, SECONDS (60) each
 # make golden   write tests/golden/hashes.csv anew, after a change of bits on purpose
 # make chart    chart speed against accuracy to out/chart, and the README files' picture and table
 # make picture  draw the picture of the lab panel, assets/lab.png, anew
@@ -63,8 +64,9 @@ STEPPING  := $(filter-out $(addprefix src/,lab/% view/% draw/% hud/% show/% cli/
 ONLY    ?=
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
 SCENE   ?=
+SECONDS ?= 60
 
-.PHONY: all help run test check tidy golden bench chart picture reference format clean install programs tests tests-syntax \
+.PHONY: all help run test check tidy fuzz golden bench chart picture reference format clean install programs tests tests-syntax \
     packages-build packages-run packages-test packages-check headers
 .DELETE_ON_ERROR:
 
@@ -112,6 +114,11 @@ tidy:
 	$(call install_missing,$(BUILD_PACKAGES) $(TIDY_PACKAGES),$(LIBRARIES),clang-tidy)
 	@find src -name '*.c' | sort | xargs -P $(JOBS) -n 10 sh -c 'clang-tidy --quiet "$$@" -- \
 	    -std=c17 -Isrc -D_POSIX_C_SOURCE=200809L $(includes) 2>/dev/null' clang-tidy
+
+fuzz: packages-build packages-check
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/fuzz CC=clang CXX=clang++ \
+	    EXTRA="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" build/fuzz/float/fuzz
+	@tests/fuzz/fuzz.sh build/fuzz/float/fuzz $(SECONDS)
 
 golden:
 	$(call say_missing,$(BUILD_PACKAGES),$(LIBRARIES),gcc g++ pkg-config)
@@ -225,6 +232,11 @@ $$(BUILD)/$(1)/libballoon.a: $$($(2)_objects)
 $$(BUILD)/$(2): $$(BUILD)/$(1)/main.c.o $$(BUILD)/$(1)/libballoon.a
 	@echo "  $$@"
 	@$$(CXX) $$(EXTRA) $$^ $$(bullet_$(1)) $$(libraries) -o $$@
+
+$$(BUILD)/$(1)/fuzz: tests/fuzz/fuzz.c tests/fuzz/targets.h $$(BUILD)/$(1)/libballoon.a
+	@echo "  $$@"
+	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) -Isrc -D_POSIX_C_SOURCE=200809L -c $$< -o $$@.o
+	@$$(CXX) $$(EXTRA) -fsanitize=fuzzer $$@.o $$(BUILD)/$(1)/libballoon.a $$(bullet_$(1)) $$(libraries) -o $$@
 
 $$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
 	@mkdir -p $$(@D)
