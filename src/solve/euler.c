@@ -60,6 +60,7 @@ static double limit(double w2, double gamma) {
 const Method method_euler = {
     .name = "euler",
     .about = "semi-implicit Euler, order 1: all forces, then all particles",
+    .staggered = true, // a leapfrog, whose v is that of t - h/2
     .open = open,
     .close = free,
     .kick = system_kick,

@@ -28,6 +28,8 @@ typedef struct Solver {
                              ///< and in xpbd, which computes no residual
     double tolerance;        ///< residual of the step's equation, relative [1]; below 0: no test
     double linear_tolerance; ///< residual of each linear equation, relative [1]
+    double residual_max;     ///< xpbd, projective: a step of a larger residual (solve/residual.h)
+                             ///< is not solved [1]; 0: no test
     StepStart start;
     bool in_place; ///< euler: each particle moves before the next one's force is computed
 } Solver;
@@ -43,9 +45,10 @@ typedef struct ForceUse {
 typedef struct Method {
     const char* name;
     const char* about;
-    bool implicit; ///< stable at every step
-    bool iterates; ///< it has iterations, products and a residual to report
-    bool can_fail; ///< its kick may return false
+    bool implicit;  ///< stable at every step
+    bool iterates;  ///< it has iterations, products and a residual to report
+    bool can_fail;  ///< its kick may return false
+    bool staggered; ///< its velocities belong to half a step before its positions
 
     /// The forces that it supports, up to a row of NULL; a body with another force is refused. NULL:
     /// all, through the force table.

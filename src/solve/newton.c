@@ -17,6 +17,7 @@
 #include "force/damping.h"
 #include "solve/linear_solve.h"
 #include "solve/method.h"
+#include "solve/residual.h"
 
 static const Solver defaults = {.iterations = 50, .tolerance = 1e-6, .linear_tolerance = 1e-2};
 
@@ -86,21 +87,6 @@ static double evaluate_residual(Body* body, Workspace* workspace, double h) {
     return inverse_mass_norm(body, workspace->residual);
 }
 
-/// Scale of |R| for the tolerance: h sqrt(sum of |f_k|^2_(1/M)) over the forces f_k, whose sum may
-/// be near 0.
-static double force_scale(Body* body, double h) {
-    double sum = 0;
-    for (int k = 0; k < force_count; k++) {
-        if (!force_table[k]->present(body))
-            continue;
-        memset(body->f, 0, (size_t)body->count * sizeof *body->f);
-        force_add(force_table[k], body);
-        const double size = inverse_mass_norm(body, body->f);
-        sum += size * size;
-    }
-    return h * sqrt(sum);
-}
-
 /// P at v' and x'.
 static double potential(const Body* body, const Workspace* workspace, double h) {
     double sum = 0;
@@ -158,10 +144,14 @@ static void restore_start(Body* body, const Workspace* workspace) {
 static bool iterate(Body* body, Workspace* workspace, double size, double h, SolveStats* stats) {
     const Solver* solver = &workspace->solver;
     const bool fixed_count = solver->tolerance < 0;
-    const double scale = fmax(size, force_scale(body, h));
+    if (!(size < INFINITY)) // a NaN solves nothing
+        return false;
+    const double scale = fmax(size, residual_scale(body, h));
     double size_max = fixed_count ? -1 : solver->tolerance * scale;
     while (stats->iterations < solver->iterations && size > size_max) {
         const double rounding = linear_solve_update(&workspace->linear, body, h);
+        if (!(rounding < INFINITY)) // beyond the state's precision everything would be solved
+            return false;
         if (!fixed_count)
             size_max = fmax(size_max, rounding);
         if (size <= size_max)
@@ -174,7 +164,7 @@ static bool iterate(Body* body, Workspace* workspace, double size, double h, Sol
             return false;
     }
     stats->residual = scale > 0 ? size / scale : 0;
-    return fixed_count || size <= size_max;
+    return (fixed_count && size < INFINITY) || size <= size_max;
 }
 
 static void stop(Body* body) {

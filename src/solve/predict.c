@@ -7,6 +7,7 @@
 #include "force/damping.h"
 #include "force/force.h"
 #include "mesh/measure.h"
+#include "solve/residual.h"
 
 enum { ROOT_ITERATIONS_MAX = 100 };
 
@@ -34,6 +35,7 @@ void predict_open(Predict* predict, const Body* body) {
     *predict = (Predict){
         .u = new_array(real4, body->count),
         .ahead = new_array(real4, body->count),
+        .next = new_array(real4, body->count),
         .weight = new_array(real, body->count),
     };
 }
@@ -99,6 +101,31 @@ double predict_pressure(const Inflation* gas, double volume, double weight, doub
     return gas_pressure(gas, root);
 }
 
+/// Relative residual of the step u.
+static double step_residual(Predict* predict, Body* body, double h) {
+    for (int i = 0; i < body->count; i++) {
+        predict->ahead[i] = body->x[i] + predict->u[i];
+        predict->next[i] = predict->u[i] / (real)h;
+    }
+    // the body at the end of the step
+    real4 *const x = body->x, *const v = body->v;
+    body->x = predict->ahead, body->v = predict->next;
+    const double residual = residual_of_step(body, v, h);
+    body->x = x, body->v = v;
+    return residual;
+}
+
+bool predict_is_solved(Predict* predict, Body* body, double h, double residual_max) {
+    StepCheck* check = &predict->check;
+    if (!(residual_max > 0) || (h <= check->longest && ++check->age < CHECK_INTERVAL))
+        return true;
+    *check = (StepCheck){.residual = step_residual(predict, body, h)};
+    if (!(check->residual <= residual_max)) // written so that a NaN fails
+        return false;
+    check->longest = h;
+    return true;
+}
+
 void predict_end(const Predict* predict, Body* body, double h) {
     for (int i = 0; i < body->count; i++) {
         const real4 v = predict->u[i] / (real)h;
@@ -110,6 +137,7 @@ void predict_end(const Predict* predict, Body* body, double h) {
 void predict_close(Predict* predict) {
     free(predict->u);
     free(predict->ahead);
+    free(predict->next);
     free(predict->weight);
     *predict = (Predict){0};
 }

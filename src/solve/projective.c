@@ -191,6 +191,8 @@ static bool kick_body(Body* body, void* self, double h, SolveStats* stats) {
             pressure = gas_pressure(&body->inflation, body->inflation.volume);
         }
         const double size = compute_residual(body, workspace, h, pressure);
+        if (!(size < INFINITY)) // a NaN solves nothing
+            return false;
         first = fmax(first, size);
         stats->residual = first > 0 ? size / first : 0;
         if (stats->iterations == solver->iterations || stats->residual <= solver->tolerance)
@@ -200,13 +202,16 @@ static bool kick_body(Body* body, void* self, double h, SolveStats* stats) {
     }
     for (int i = 0; i < body->count; i++)
         workspace->predict.u[i] = to_real4(workspace->u[i]);
+    if (!predict_is_solved(&workspace->predict, body, h, workspace->solver.residual_max))
+        return false;
     predict_end(&workspace->predict, body, h);
     return true;
 }
 
 const Method method_projective = {
     .name = "projective",
-    .about = "local and global steps on a factored matrix, order 1, any step; Hooke's law",
+    .about = "local and global steps on a factored matrix, order 1, Hooke's law; long steps: split "
+             "by the guard",
     .implicit = true,
     .iterates = true,
     .can_fail = true,

@@ -39,6 +39,7 @@ enum { ITERATIONS = 1 };
 
 typedef struct Workspace {
     int iterations;
+    double residual_max; ///< [1]
     Predict predict;
     Batches springs;
     double gas_impulse; ///< L [kg/m]
@@ -47,6 +48,7 @@ typedef struct Workspace {
 static void* open(Body* body, const Solver* solver) {
     Workspace* workspace = new_array(Workspace, 1);
     workspace->iterations = solver->iterations > 0 ? solver->iterations : ITERATIONS;
+    workspace->residual_max = solver->residual_max;
     batches_make(&workspace->springs, &body->springs, body->count);
     predict_open(&workspace->predict, body);
     return workspace;
@@ -139,15 +141,20 @@ static bool kick_body(Body* body, void* self, double h, SolveStats* stats) {
         if (gas)
             relax_gas(body, workspace, gas_w, h2);
     }
+    if (!predict_is_solved(predict, body, h, workspace->residual_max))
+        return false;
+    stats->residual = predict->check.residual;
     predict_end(predict, body, h);
     return true;
 }
 
 const Method method_xpbd = {
     .name = "xpbd",
-    .about = "position-based constraints, order 1, any step; soft where iterations are few",
+    .about = "position-based constraints, order 1; too soft where iterations are few: split by the "
+             "guard",
     .implicit = true,
     .iterates = true,
+    .can_fail = true,
     .takes = predict_forces,
     .open = open,
     .close = close,

@@ -26,6 +26,8 @@ static void time_rows(Overlay* overlay, const World* world, const Status* status
                     world->guard.substeps);
     else
         overlay_row(overlay, "step", "%g ms", 1000 * world->step);
+    if (world->guard.taken_back > 0)
+        overlay_row(overlay, "taken back", "%ld steps", world->guard.taken_back);
     if (status->frame_ms > 0)
         overlay_row(overlay, "frame", "%.1f ms", status->frame_ms);
 }

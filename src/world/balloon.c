@@ -9,6 +9,7 @@
 #include "force/material.h"
 #include "mesh/load.h"
 #include "world/balloon_check.h"
+#include "world/guard.h"
 
 static const double vent_pressure = 1000; ///< [Pa] gauge pressure at which a valve vents at `rate`
 static const double default_threshold = 0.1; ///< [1] the mass-spring paper's
@@ -208,6 +209,7 @@ static void make(Balloon* balloon, const WorldDef* world) {
             body, &(Solver){.iterations = (int)solver->iterations,
                             .tolerance = solver->fixed ? -1 : solver->tolerance,
                             .linear_tolerance = solver->linear_tolerance,
+                            .residual_max = world->guard == GUARD_SPLIT ? RESIDUAL_MAX : 0,
                             .start = solver->start,
                             .in_place = solver->in_place});
     }

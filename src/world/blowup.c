@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "body/extent.h"
+#include "mesh/measure.h"
 #include "world/rest.h"
 #include "world/world.h"
 
@@ -85,102 +86,180 @@ void blowup_unsolved(World* world, int balloon, double h) {
     restore_state(world);
 }
 
-/// Whether a gas has lost its volume: the skin has turned inside out or folded onto itself.
-static bool has_lost_volume(const Body* body) {
-    return body->inflation.law == INFLATE_GAS &&
-           !(body->inflation.volume > volume_share_min * body->inflation.first_volume);
+/// What is bad about a state.
+typedef enum Cause {
+    CAUSE_NONE,
+    CAUSE_NOT_FINITE, ///< a particle's position or velocity
+    CAUSE_FAST,       ///< a particle moves too far in a drift
+    CAUSE_INVERTED,   ///< a gas has a volume below 0: the skin is inside out
+    CAUSE_EMPTY,      ///< a gas has lost its volume
+    CAUSE_FLAT,       ///< an element has lost its thickness
+    CAUSE_BALL        ///< a ball is not finite
+} Cause;
+
+/// Where it is bad, and by how much.
+typedef struct Bad {
+    Cause cause;
+    int balloon; ///< NONE: a ball
+    int number;  ///< of the particle, the element or the ball; NONE: the whole balloon
+    double size; ///< way in a drift over the balloon's size, or volume over the first [1]
+} Bad;
+
+static real4 mean_velocity(const Body* body) {
+    real4 sum = {0, 0, 0, 0};
+    for (int i = 0; i < body->count; i++)
+        sum += body->v[i];
+    return sum / (real)body->count;
 }
 
 /// The first particle whose position is not finite, or which moves by more than way_max in a drift
-/// of length h, relative to the balloon's mean velocity; NONE where there is none.
-static int bad_particle(const Body* body, double h) {
+/// of length h, relative to the balloon's mean velocity.
+static Bad bad_particle(const Body* body, double h) {
     const real speed_max = (real)(way_max * body->size / h);
     // components below 1/4 of it keep the relative speed below it: 2 sqrt(3) < 4
     if (all_within(body->v, body->count, speed_max / 4) &&
         all_within(body->x, body->count, real_sqrt(REAL_MAX) / 2))
-        return NONE;
+        return (Bad){0};
 
-    real4 sum = {0, 0, 0, 0};
-    for (int i = 0; i < body->count; i++)
-        sum += body->v[i];
-    const real4 mean = sum / (real)body->count;
+    const real4 mean = mean_velocity(body);
     for (int i = 0; i < body->count; i++) {
         const real4 relative = body->v[i] - mean, x = body->x[i];
         // written so that a NaN fails
-        if (!(dot(relative, relative) <= speed_max * speed_max) || !(dot(x, x) < (real)INFINITY))
-            return i;
+        if (!(dot(x, x) < (real)INFINITY) || !(dot(relative, relative) < (real)INFINITY))
+            return (Bad){CAUSE_NOT_FINITE, NONE, i, 0};
+        if (!(dot(relative, relative) <= speed_max * speed_max))
+            return (Bad){CAUSE_FAST, NONE, i, (double)length(relative) * h / body->size};
     }
-    return NONE;
+    return (Bad){0};
 }
 
-static void halt_without_volume(World* world, int b) {
-    halt(world, b, NONE);
-    snprintf(world->blowup.text, sizeof world->blowup.text,
-             "balloon %d (%s): its gas has no room left in step %ld, at %.4g s: the volume is down "
-             "to nothing; the state of step %ld is back",
-             b, world->balloon[b].def->model, world->step_count, world_time(world),
-             world->good_step);
+/// Whether a gas has lost its volume: the skin has turned inside out or folded onto itself.
+static Bad bad_volume(const Body* body) {
+    const Inflation* gas = &body->inflation;
+    if (gas->law != INFLATE_GAS || gas->volume > volume_share_min * gas->first_volume)
+        return (Bad){0};
+    const double share = gas->volume / gas->first_volume;
+    return (Bad){share < -volume_share_min ? CAUSE_INVERTED : CAUSE_EMPTY, NONE, NONE, share};
+}
+
+/// An explosion also loses the volume: its particles come first.
+static Bad bad_balloon(const Balloon* balloon, double h) {
+    const Bad particle = bad_particle(&balloon->body, h);
+    if (particle.cause)
+        return particle;
+    const Bad volume = bad_volume(&balloon->body);
+    if (volume.cause)
+        return volume;
+    // the constraint on the total volume of the rubber does not limit that of a single element
+    const int inverted = balloon->volume_constraint.inverted;
+    return inverted == NONE ? (Bad){0} : (Bad){CAUSE_FLAT, NONE, inverted, 0};
+}
+
+static Bad find_bad(const World* world) {
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Balloon* balloon = &world->balloon[b];
+        Bad bad = balloon->body.asleep ? (Bad){0} : bad_balloon(balloon, world->drift);
+        bad.balloon = b;
+        if (bad.cause)
+            return bad;
+    }
+    const int ball = contacts_bad(&world->contacts);
+    return ball == NONE ? (Bad){0} : (Bad){CAUSE_BALL, NONE, ball, 0};
+}
+
+bool blowup_is_bad(const World* world) {
+    return find_bad(world).cause != CAUSE_NONE;
+}
+
+/// The cause, as measured.
+static int say_cause(const World* world, const Bad* bad, char* text, size_t size) {
+    const Balloon* balloon = bad->balloon == NONE ? NULL : &world->balloon[bad->balloon];
+    const int* loaded = balloon ? balloon->mesh.loaded : NULL;
+    const int* corner =
+        bad->cause == CAUSE_FLAT ? balloon->body.membrane.corner[bad->number] : NULL;
+    switch (bad->cause) {
+        case CAUSE_NOT_FINITE:
+            return snprintf(text, size, "it exploded: particle %d is not finite",
+                            loaded[bad->number]);
+        case CAUSE_FAST:
+            return snprintf(text, size,
+                            "it exploded: particle %d moved %.3g times the balloon's size at once",
+                            loaded[bad->number], bad->size);
+        case CAUSE_INVERTED:
+            return snprintf(text, size, "it is inside out: its volume is %.3g of the first",
+                            bad->size);
+        case CAUSE_EMPTY:
+            return snprintf(text, size, "it is empty: its volume is %.3g of the first", bad->size);
+        case CAUSE_FLAT:
+            return snprintf(text, size,
+                            "the element of particles %d, %d and %d has no thickness left, for "
+                            "'volume: global' keeps the sum alone",
+                            loaded[corner[0]], loaded[corner[1]], loaded[corner[2]]);
+        default:
+            return snprintf(text, size, "its position is not finite");
+    }
+}
+
+/// The state before, which is back: how full the balloon was, and whether its step was stable.
+static int say_state(World* world, int b, char* text, size_t size) {
+    const Body* body = &world->balloon[b].body;
+    int used = 0;
+    if (body->inflation.law == INFLATE_GAS)
+        used = snprintf(text, size, "; before, its volume was %.3g of the first",
+                        measure_volume(body->mesh, body->x) / body->inflation.first_volume);
+    if (world->guard.mode == GUARD_OFF) { // the bound has not been computed yet
+        int body_of_bound;
+        world->guard.bound = guard_bound(world->method, &world->system, &body_of_bound);
+    }
+    if (world->method->implicit)
+        return used;
+    return used + snprintf(text + used, size - (size_t)used,
+                           "; the step is %.3g s, %s the largest stable one, %.3g s", world->drift,
+                           world->drift > world->guard.bound ? "above" : "within",
+                           world->guard.bound);
+}
+
+/// Name the bad state, restore the last good one and halt.
+static void halt_bad(World* world, const Bad* bad) {
+    Blowup* blowup = &world->blowup;
+    const bool ball = bad->balloon == NONE, particle = bad->cause <= CAUSE_FAST;
+    halt(world, bad->balloon,
+         particle && !ball ? world->balloon[bad->balloon].mesh.loaded[bad->number] : NONE);
+    char cause[160], before[160] = "", name[80];
+    say_cause(world, bad, cause, sizeof cause);
+    restore_state(world);
+    if (ball)
+        snprintf(name, sizeof name, "ball %d", bad->number);
+    else {
+        snprintf(name, sizeof name, "balloon %d (%.60s)", bad->balloon,
+                 world->balloon[bad->balloon].def->model);
+        say_state(world, bad->balloon, before, sizeof before);
+    }
+    snprintf(blowup->text, sizeof blowup->text,
+             "%s went bad in step %ld, at %.4g s: %s%s; the state of step %ld is back", name,
+             world->step_count, world_time(world), cause, before, world->good_step);
+}
+
+void blowup_gained(World* world, double gain, double turnover) {
+    halt(world, NONE, NONE);
+    snprintf(
+        world->blowup.text, sizeof world->blowup.text,
+        "the scene went bad in step %ld, at %.4g s: it gained %.3g J beside %.3g J that the step "
+        "converted, in %d substeps of which each was stable when it began; the state of step "
+        "%ld is back",
+        world->step_count, world_time(world), gain, turnover, world->guard.substeps,
+        world->good_step);
     restore_state(world);
 }
 
-/// The constraint on the total volume of the rubber does not limit that of a single element.
-static void halt_inverted(World* world, int b, int element) {
-    const Balloon* balloon = &world->balloon[b];
-    const int *corner = balloon->body.membrane.corner[element], *loaded = balloon->mesh.loaded;
-    halt(world, b, loaded[corner[0]]);
-    snprintf(world->blowup.text, sizeof world->blowup.text,
-             "balloon %d (%s): the element of particles %d, %d and %d has no thickness left in "
-             "step %ld, at %.4g s, for 'volume: global' keeps the sum alone; the state of step "
-             "%ld is back",
-             b, balloon->def->model, loaded[corner[0]], loaded[corner[1]], loaded[corner[2]],
-             world->step_count, world_time(world), world->good_step);
+void blowup_take_back(World* world) {
     restore_state(world);
 }
 
 void blowup_check(World* world) {
-    const double h = world->drift;
-    for (int b = 0; b < world->balloon_count; b++) {
-        const Balloon* balloon = &world->balloon[b];
-        if (balloon->body.asleep)
-            continue;
-        if (has_lost_volume(&balloon->body)) {
-            halt_without_volume(world, b);
-            return;
-        }
-        if (balloon->volume_constraint.inverted != NONE) {
-            halt_inverted(world, b, balloon->volume_constraint.inverted);
-            return;
-        }
-        const int bad = bad_particle(&balloon->body, h);
-        if (bad == NONE)
-            continue;
-        halt(world, b, balloon->mesh.loaded[bad]);
-        if (world->guard.mode == GUARD_OFF) { // the bound has not been computed yet
-            int body;
-            restore_state(world);
-            world->guard.bound = guard_bound(world->method, &world->system, &body);
-        }
-        snprintf(world->blowup.text, sizeof world->blowup.text,
-                 "balloon %d (%s) went bad in step %ld, at %.4g s: particle %d %s; the step is "
-                 "%.3g s, the largest stable one %.3g s; the state of step %ld is back",
-                 b, balloon->def->model, world->step_count, world_time(world),
-                 balloon->mesh.loaded[bad],
-                 "is not finite or went ten times the balloon's size in one step", h,
-                 world->guard.bound, world->good_step);
-        restore_state(world);
-        return;
-    }
-    const int ball = contacts_bad(&world->contacts);
-    if (ball != NONE) {
-        halt(world, NONE, NONE);
-        snprintf(
-            world->blowup.text, sizeof world->blowup.text,
-            "ball %d went bad in step %ld, at %.4g s: it is nowhere any more; the state of step "
-            "%ld is back",
-            ball, world->step_count, world_time(world), world->good_step);
-        restore_state(world);
-        return;
-    }
-    if (world->step_count % GUARD_INTERVAL == 0)
+    const Bad bad = find_bad(world);
+    if (bad.cause)
+        halt_bad(world, &bad);
+    else if (world->step_count % GUARD_INTERVAL == 0)
         blowup_save_state(world);
 }

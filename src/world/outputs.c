@@ -142,6 +142,7 @@ static double sphere_component(const OutputSubject* s, bool is_velocity, int axi
 // clang-format off
 #define SUBJECT const OutputSubject* s
 static double seconds(SUBJECT) { return world_time(s->world); }
+static double taken_back(SUBJECT) { return (double)s->world->guard.taken_back; }
 static double pass_throughs(SUBJECT) { return (double)s->world->contacts.pass_throughs; }
 static double x(SUBJECT) { return sphere_component(s, false, 0); }
 static double y(SUBJECT) { return sphere_component(s, false, 1); }
@@ -184,6 +185,7 @@ const char* const output_prefix[OUTPUT_KINDS] = {
     [OF_STRING] = "balloonN.stringK.",
     [OF_SPHERE] = "sphereN.",
     [OF_SPHERES] = "",
+    [OF_GUARD] = "guard.",
 };
 
 #define Q(has, of) OF_BALLOON, .present = has, .of_balloon = of
@@ -224,6 +226,7 @@ const Output output_table[] = {
     {"vy", "m/s", "velocity of a ball, y", OF_SPHERE, .value = vy},
     {"vz", "m/s", "velocity of a ball, z", OF_SPHERE, .value = vz},
     {"pass_throughs", "1", "times that a ball has passed through a skin", OF_SPHERES, .value = pass_throughs},
+    {"taken_back", "1", "steps that gained energy, and were made again in shorter substeps", OF_GUARD, .value = taken_back},
 };
 #undef Q
 // clang-format on
@@ -237,7 +240,8 @@ void outputs_reference(FILE* out) {
     fputs(
         "\n### Outputs: the columns of `--csv`\n\n"
         "N is the number of a balloon or ball, K that of a string, from 0. A column is there\n"
-        "where the scene models it: a volume of closed skins, iterations of methods that iterate.\n"
+        "where the scene models it: a volume of closed skins, iterations of methods that iterate,\n"
+        "the guard's where it may split a step.\n"
         "\n| column | unit | meaning |\n|---|---|---|\n",
         out);
     for (int k = 0; k < output_count; k++)

@@ -9,14 +9,15 @@
 
 #include "world/world.h"
 
-/// The subject of a row: the time, each balloon, each string of a balloon, each ball, or all balls
-/// together.
+/// The subject of a row: the time, each balloon, each string of a balloon, each ball, all balls
+/// together, or the guard of the step.
 typedef enum OutputKind {
     OF_TIME,
     OF_BALLOON,
     OF_STRING,
     OF_SPHERE,
     OF_SPHERES,
+    OF_GUARD,
     OUTPUT_KINDS
 } OutputKind;
 

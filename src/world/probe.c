@@ -55,7 +55,10 @@ static bool walk(const World* world, int spheres, Visit visit, void* self) {
         if (walk_rows(OF_SPHERE, prefix, &subject, visit, self))
             return true;
     }
-    return spheres > 0 && walk_rows(OF_SPHERES, "", &subject, visit, self);
+    if (spheres > 0 && walk_rows(OF_SPHERES, "", &subject, visit, self))
+        return true;
+    return guard_splits(&world->guard, world->method) &&
+           walk_rows(OF_GUARD, output_prefix[OF_GUARD], &subject, visit, self);
 }
 
 static bool print_name(void* self, const char* name, const Output* output,

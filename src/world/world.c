@@ -1,5 +1,6 @@
 #include "world/world.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -71,7 +72,8 @@ static void begin(World* world) {
     world->step_count = 0;
     world->selected = ALL_BALLOONS;
     world->held = 0;
-    world->guard = (StepGuard){.mode = world->def.guard, .substeps = 1, .changed = true};
+    world->guard = guard_new(world->def.guard);
+    world->watch = (EnergyWatch){0};
     world->solvable = 1;
     world->blowup = (Blowup){0};
     blowup_save_state(world);
@@ -204,27 +206,52 @@ static void advance(World* world, double h) {
                  SUBSTEPS_NEAR, world->step_count, h);
 }
 
+static void update_guard(World* world) {
+    int body;
+    const GuardVerdict verdict =
+        guard_update(&world->guard, world->method, &world->system, world->step, &body);
+    blowup_report(world, verdict, body);
+}
+
+/// The step in equal substeps; where the bound falls meanwhile, the rest of it in shorter ones.
+static void make_substeps(World* world) {
+    StepGuard* guard = &world->guard;
+    int parts = guard->substeps, remaining = parts;
+    double h = world->step / parts;
+    while (remaining > 0 && !world->blowup.halted) {
+        advance(world, h);
+        guard->since_look++;
+        remaining--;
+        if (world->blowup.halted || remaining == 0 || !guard_due_within(guard))
+            continue;
+        update_guard(world);
+        if (guard->substeps > parts) {
+            parts = guard->substeps;
+            const double rest = remaining * h;
+            remaining = (int)ceil(rest / (world->step / parts) - rounding);
+            h = rest / remaining;
+        }
+    }
+}
+
 void world_step(World* world) {
     world->clock++;
     if (world->blowup.halted)
         return;
     update_amounts(world);
 
-    // compare the step with the stability bound, which changes with the pressure
-    if (world->guard.changed || world->step_count % GUARD_INTERVAL == 0) {
-        int body;
-        const GuardVerdict verdict =
-            guard_update(&world->guard, world->method, &world->system, world->step, &body);
-        blowup_report(world, verdict, body);
-    }
+    // compare the step with the stability bound, which changes with the state
+    if (guard_due(&world->guard, world->step_count))
+        update_guard(world);
     if (world->blowup.halted)
         return;
 
     flow_gas(world, world->step);
     rest_wake_changed(world);
-    const double h = world->step / world->guard.substeps;
-    for (int part = 0; part < world->guard.substeps && !world->blowup.halted; part++)
-        advance(world, h);
+    energy_watch_start(world);
+    do
+        make_substeps(world);
+    while (energy_watch_takes_back(world));
     if (world->blowup.halted)
         return;
     world->step_count++;

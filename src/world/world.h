@@ -11,6 +11,7 @@
 #include "solve/method.h"
 #include "world/balloon.h"
 #include "world/blowup.h"
+#include "world/energy_watch.h"
 #include "world/record.h"
 #include "scene/scene.h"
 
@@ -30,6 +31,7 @@ struct World {
     int selected;      ///< balloon that keys act on, or ALL_BALLOONS
     unsigned held;     ///< commands whose key is down, bit k for row k of command_table
     StepGuard guard;
+    EnergyWatch watch;
     double drift;    ///< length of the last drift, which is shorter where balls are near [s]
     double solvable; ///< longest substep that the method could last solve [of the step]
     Blowup blowup;

@@ -1,0 +1,199 @@
+#include "world/energy_watch.h"
+
+#include "base/vectors.h"
+#include "force/inflation.h"
+#include "force/material.h"
+#include "mesh/measure.h"
+#include "world/world.h"
+
+enum { MEASURE_INTERVAL = 1024 }; ///< [substeps]
+
+/// GAIN: energy that a step may gain. [of its turnover]
+static const double gain_max = 0.1;
+
+/// Speed of a motion that is none, for a world without energy. [of the balloon's size per second]
+static const double speed_floor = 0.01;
+
+/// Kinetic and stored energy, and the sum of the energies of all forces but the pressure. [J]
+typedef struct Energies {
+    double kinetic, stored, forces;
+} Energies;
+
+static bool body_has_energy(const Balloon* balloon) {
+    const Membrane* membrane = &balloon->body.membrane;
+    return !balloon->strain_limit.on &&
+           (membrane->count == 0 ||
+            (membrane->rubber.rule == VOLUME_LOCAL && !membrane->rubber.material->reads_thickness));
+}
+
+static bool is_watched(const World* world) {
+    if (!guard_splits(&world->guard, world->method) ||
+        (world->contacts.law == CONTACT_PAPER && world->contacts.sphere_count > 0))
+        return false;
+    for (int b = 0; b < world->balloon_count; b++)
+        if (!body_has_energy(&world->balloon[b]))
+            return false;
+    return true;
+}
+
+static double ball_kinetic(const Sphere* ball) {
+    return (double)(ball->mass * dot(ball->v, ball->v) +
+                    sphere_inertia(ball) * dot(ball->spin, ball->spin)) /
+           2;
+}
+
+static double kinetic(const World* world) {
+    double sum = 0;
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Body* body = &world->balloon[b].body;
+        sum += vectors()->weighted_squares(body->mass, body->v, body->count) / 2;
+    }
+    for (int s = 0; s < world->contacts.sphere_count; s++)
+        sum += ball_kinetic(&world->contacts.sphere[s]);
+    return sum;
+}
+
+/// Energy of the gas above that of the air's pressure, to the second order in p.
+static double gas_stored(const Body* body) {
+    const Inflation* gas = &body->inflation;
+    if (gas->law != INFLATE_GAS)
+        return 0;
+    const double volume = measure_volume(body->mesh, body->x), p = gas_pressure(gas, volume);
+    return p * p * volume / (2 * fmax(gas->ambient, fabs(p)));
+}
+
+/// Kinetic energy at the time of the positions: of v + (h/2) f/m where v is staggered by h/2, which
+/// takes the oscillation of a symplectic method's energy out but for its second order.
+static double kinetic_at_positions(const World* world, Body* body) {
+    if (!world->method->staggered || body->asleep)
+        return vectors()->weighted_squares(body->mass, body->v, body->count) / 2;
+    force_sum(body);
+    const real half = (real)(world->drift / 2);
+    double sum = 0;
+    for (int i = 0; i < body->count; i++) {
+        const real4 v = body->v[i] + (half * body->inverse_mass[i]) * body->f[i];
+        sum += (double)(body->mass[i] * dot(v, v));
+    }
+    return sum / 2;
+}
+
+static void add_balloon(const World* world, Body* body, Energies* sum) {
+    for (int k = 0; k < force_count; k++) {
+        const Force* force = force_table[k];
+        if (!force->energy || force == &force_inflation || !force->present(body))
+            continue;
+        const double energy = force->energy(body);
+        sum->forces += energy;
+        sum->stored += force->elastic ? energy : 0;
+    }
+    const double floor = speed_floor * body->size;
+    double mass = 0;
+    for (int i = 0; i < body->count; i++)
+        mass += (double)body->mass[i];
+    sum->kinetic += kinetic_at_positions(world, body);
+    sum->stored += gas_stored(body) + mass * floor * floor / 2;
+}
+
+static void add_balls(const World* world, const Sphere* ball, int count, Energies* sum) {
+    for (int s = 0; s < count; s++) {
+        sum->kinetic += ball_kinetic(&ball[s]);
+        sum->forces += (double)ball[s].mass * world->contacts.gravity * (double)ball[s].x[1];
+    }
+}
+
+/// The saved state instead of the present one, and back.
+static void swap_states(World* world) {
+    for (int b = 0; b < world->balloon_count; b++) {
+        Balloon* balloon = &world->balloon[b];
+        real4 *const x = balloon->body.x, *const v = balloon->body.v;
+        balloon->body.x = balloon->good_x, balloon->body.v = balloon->good_v;
+        balloon->good_x = x, balloon->good_v = v;
+    }
+}
+
+static Energies measure(World* world, const Sphere* ball, int balls) {
+    Energies sum = {0};
+    for (int b = 0; b < world->balloon_count; b++)
+        add_balloon(world, &world->balloon[b].body, &sum);
+    add_balls(world, ball, balls, &sum);
+    sum.stored += sum.kinetic;
+    return sum;
+}
+
+/// Pressure at volumes and areas between those of two states, at a share of the way.
+static double pressure_between(const Inflation* inflation, double p, const double volume[2],
+                               double share) {
+    return inflation->law == INFLATE_GAS
+               ? gas_pressure(inflation, volume[0] + share * (volume[1] - volume[0]))
+               : p;
+}
+
+/// Work of the pressure over the step [J], from the saved state to the present one.
+static double pressure_work(World* world) {
+    double sum = 0;
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Balloon* balloon = &world->balloon[b];
+        const Body* body = &balloon->body;
+        if (!force_inflation.present(body))
+            continue;
+        const double volume[2] = {measure_volume(body->mesh, balloon->good_x),
+                                  measure_volume(body->mesh, body->x)};
+        const double after = inflation_pressure(body);
+        Body before = *body;
+        before.x = balloon->good_x;
+        const double first = inflation_pressure(&before), mean = (first + after) / 2;
+        const double middle = pressure_between(&body->inflation, mean, volume, 0.5);
+        sum += (first + 4 * middle + after) / 6 * (volume[1] - volume[0]);
+    }
+    return sum;
+}
+
+/// What a step did to the energy. [J]
+typedef struct Balance {
+    double gain;     ///< NaN where it was not measured
+    double turnover; ///< stored before, and converted in the step
+} Balance;
+
+static Balance measure_balance(World* world) {
+    Contacts* contacts = &world->contacts;
+    swap_states(world);
+    const Energies before = measure(world, contacts->good, contacts->good_count);
+    swap_states(world);
+    const Energies after = measure(world, contacts->sphere, contacts->sphere_count);
+    world->watch.kinetic_max = (1 + gain_max) * after.stored;
+    world->watch.since_measure = 0;
+    const double work = pressure_work(world), forces = after.forces - before.forces;
+    return (Balance){.gain = after.kinetic - before.kinetic + forces - work,
+                     .turnover = before.stored + fabs(forces) + fabs(work)};
+}
+
+void energy_watch_start(World* world) {
+    world->watch.on = is_watched(world);
+    if (world->watch.on)
+        blowup_save_state(world);
+}
+
+bool energy_watch_takes_back(World* world) {
+    EnergyWatch* watch = &world->watch;
+    if (!watch->on || world->blowup.halted)
+        return false;
+    watch->since_measure += world->guard.substeps;
+    // written so that a NaN is measured
+    if (kinetic(world) <= watch->kinetic_max && watch->since_measure < MEASURE_INTERVAL)
+        return false;
+    Balance balance = {.gain = (double)NAN};
+    if (!blowup_is_bad(world)) {
+        balance = measure_balance(world);
+        if (balance.gain <= gain_max * balance.turnover)
+            return false;
+    }
+    if (!guard_refine(&world->guard)) {
+        if (isfinite(balance.gain)) // a bad state is named by its own sentence
+            blowup_gained(world, balance.gain, balance.turnover);
+        return false;
+    }
+    world->guard.taken_back++;
+    watch->kinetic_max = 0;
+    blowup_take_back(world);
+    return true;
+}
