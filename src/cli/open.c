@@ -36,6 +36,16 @@ bool cli_open_advice(const Options* options, AdviseOptions* advise, Fault* fault
     return true;
 }
 
+static bool opens(const char* name, const SceneSet* set, int set_count) {
+    WorldDef def;
+    World world;
+    Fault unused = {0};
+    if (!scene_load(name, set, set_count, &def, &unused) || !world_open(&world, &def, &unused))
+        return false;
+    world_close(&world);
+    return true;
+}
+
 static bool all_sets(const Options* options, const char* method, Sets* sets, Fault* fault) {
     sets->count = options->set_count;
     sets->advised.count = 0;
@@ -44,8 +54,11 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
         AdviseOptions advise;
         if (!cli_open_advice(options, &advise, fault))
             return false;
-        if (!advise_auto(&advise, &sets->advised, fault))
-            return false;
+        // where nothing can be advised, the scene as it is is the best so far
+        Fault none = {0};
+        if (!advise_auto(&advise, &sets->advised, &none) &&
+            opens(advise.scene, options->set, options->set_count))
+            fprintf(stderr, "balloon: no advice: %s\n", none.text);
     }
     for (int k = 0; k < sets->advised.count; k++)
         sets->set[sets->count++].text = sets->advised.text[k];
@@ -53,16 +66,6 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
         snprintf(sets->method, sizeof sets->method, "method=%s", method);
         sets->set[sets->count++].text = sets->method;
     }
-    return true;
-}
-
-static bool opens(const char* name, const SceneSet* set, int set_count) {
-    WorldDef def;
-    World world;
-    Fault unused = {0};
-    if (!scene_load(name, set, set_count, &def, &unused) || !world_open(&world, &def, &unused))
-        return false;
-    world_close(&world);
     return true;
 }
 

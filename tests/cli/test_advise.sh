@@ -23,6 +23,9 @@ ok "--fresh measures again" "$balloon" advise exact-cube --budget 4ms --fresh >/
 ok "and keeps it" test "$(md5sum <"$kept")" != "$sum"
 ok "--auto takes the advice" grep -q "volume at 0.02 s" <("$balloon" run exact-cube --auto --error 1% 2>/dev/null)
 
+ok "--auto without an advice runs the scene as it is" test \
+    "$("$balloon" run limit-springs --auto --seconds 0.01 --hash 2>"$scratch/said")" = "$("$balloon" run limit-springs --seconds 0.01 --hash)"
+ok "and says why" grep -q "no advice: .*not about outputs" "$scratch/said"
 bad "the best here is [0-9.e-]+ %, for [0-9.e-]+ ms" "$balloon" advise exact-cube --error 1e-12
 bad "the best here is [0-9.e-]+ %, for [0-9.e-]+ ms" "$balloon" advise exact-cube --budget 1e-9ms
 bad "not about outputs" "$balloon" advise limit-springs --error 1%
