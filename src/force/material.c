@@ -15,11 +15,6 @@ const Material* material_find(const char* name) {
     return table_find(material_table, material_count, name);
 }
 
-const char* material_names(void) {
-    static char names[256];
-    return table_names(material_table, material_count, names, sizeof names);
-}
-
 const Parameter* material_parameter(const Material* material, const char* name) {
     return table_row_of(material->parameters, material->parameter_count,
                         sizeof *material->parameters, name);

@@ -75,7 +75,4 @@ const Parameter* material_parameter(const Material* material, const char* name);
 /// The rubber's value of it, `otherwise` where its material has none of this name.
 double rubber_parameter(const Rubber* rubber, const char* name, double otherwise);
 
-/// Names of all, "neo-hookean, …", for sentences.
-const char* material_names(void);
-
 #endif

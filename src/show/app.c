@@ -32,7 +32,8 @@ static const Mode* mode_of(const WorldDef* def, Fault* fault) {
     return mode;
 }
 
-void app_reset_view(App* app) {
+/// Reset camera, thrower, pacer and picture for the present world; the speed stays.
+static void reset_view(App* app) {
     const Pacer before = app->pacer;
     app->pacer = pacer_make(app->world->step, before.frame_max);
     app->pacer.slowdown = before.slowdown;
@@ -106,7 +107,7 @@ bool app_open_scene(App* app, const char* path, const SceneSet* set, int set_cou
     open_ghost(app, path, set, set_count);
     app->mode = mode;
     const bool logged = session_change(&app->session, &next, how, fault);
-    app_reset_view(app);
+    reset_view(app);
     return logged;
 }
 
@@ -215,7 +216,7 @@ bool app_open(App* app, Fault* fault) {
     app->overlay.status_visible = options->overlay;
     list_keys(&app->overlay);
     app_show_lab(app, options->lab);
-    app_reset_view(app);
+    reset_view(app);
     return open_renderer(app, fault);
 }
 

@@ -58,9 +58,6 @@ bool app_run(App* app, Fault* fault);
 /// Close everything except the world. complete: no fault so far, finish the output's files.
 bool app_close(App* app, bool complete, Fault* fault);
 
-/// Reset camera, thrower, pacer and picture for the present world; the speed stays.
-void app_reset_view(App* app);
-
 /// Change to the scene `direction` rows further in the list of shipped scenes. If that scene does
 /// not load, a message says why and the present scene stays.
 void app_next_scene(App* app, int direction);

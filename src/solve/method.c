@@ -16,12 +16,8 @@ const Method* method_find(const char* name) {
     return table_find(method_table, method_count, name);
 }
 
-const char* method_names(void) {
-    static char names[256];
-    return table_names(method_table, method_count, names, sizeof names);
-}
-
-bool method_takes(const Method* method, const Force* force) {
+/// Whether the method supports this force.
+static bool takes(const Method* method, const Force* force) {
     if (!method->takes)
         return true;
     const ForceUse* use = method->takes;
@@ -33,7 +29,7 @@ bool method_takes(const Method* method, const Force* force) {
 const char* method_refuses(const Method* method, const Body* body) {
     static char sentence[FORCES_MAX][64]; // the same for every method
     for (int k = 0; k < force_count; k++) {
-        if (!force_table[k]->present(body) || method_takes(method, force_table[k]))
+        if (!force_table[k]->present(body) || takes(method, force_table[k]))
             continue;
         ASSERT(k < FORCES_MAX, "there is a sentence for each force");
         snprintf(sentence[k], sizeof sentence[k], "takes no force '%s'", force_table[k]->name);

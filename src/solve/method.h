@@ -89,12 +89,6 @@ extern const int method_count;
 /// Row by name, or NULL.
 const Method* method_find(const char* name);
 
-/// Names of all methods, "euler, …", for sentences.
-const char* method_names(void);
-
-/// Whether the method supports this force.
-bool method_takes(const Method* method, const Force* force);
-
 /// Why the method cannot step this body, "takes no force 'membrane'", or NULL if it can.
 const char* method_refuses(const Method* method, const Body* body);
 

@@ -2,7 +2,6 @@
 #include "worlds.h"
 
 #include "lab/stability/trial.h"
-#include "lab/truth/truth.h"
 
 static void open_trial(Trial* trial, const Method* method, const char* const* words) {
     SceneSet set[8];
@@ -34,7 +33,7 @@ static void fastest_frequency_is_the_known_one(void** state) {
         char model[64];
         snprintf(model, sizeof model, "balloons.0.model=icosphere:%d", level);
         OPEN(&trial, &method_euler, "limit-rubber", model);
-        assert_close(truth_limit_euler(trial.w2, 0), limit[level - 1], 5e-3); // its last digit
+        assert_close(method_euler.limit(trial.w2, 0), limit[level - 1], 5e-3); // its last digit
         trial_close(&trial);
     }
 }

@@ -20,11 +20,9 @@ static void stress_is_the_slope_of_energy_and_tangent_that_of_stress(void** stat
         for (double l = 0.8; l < 3.2; l += 0.15) {
             const double slope = (law->energy(&b, l + d) - law->energy(&b, l - d)) / (2 * d);
             const double tangent = (law->stress(&b, l + d) - law->stress(&b, l - d)) / (2 * d);
-            const double bend = (truth_pressure(&b, l + d) - truth_pressure(&b, l - d)) / (2 * d);
             const double scale = 1e-8 * (b.modulus + fabs(law->tangent(&b, l)));
             assert_near(slope, law->stress(&b, l), scale);
             assert_near(tangent, law->tangent(&b, l), scale);
-            assert_near(bend, truth_pressure_slope(&b, l), scale * b.thickness / b.radius * 4);
         }
     }
     assert_null(truth_law_find("glass"));
@@ -108,19 +106,15 @@ static void laws_of_springs_stand_off_rubber_as_computed(void** state) {
     assert_close(springs.law->tangent(&springs, 0.8), springs.law->tangent(&springs, 1), 1e-15);
 }
 
-static void stvk_starts_too_soft_or_ends_without_thickness(void** state) {
+static void stvk_starts_too_soft_and_becomes_too_stiff(void** state) {
     (void)state;
-    // slope at l = 1 over mu h0/R0, with mu = E/(2 (1+nu)): 4 as the paper reads it, 12 of rubber
+    // slope h0/R0 W'' at l = 1 over mu h0/R0, mu = E/(2 (1+nu)): 4 as the paper reads it, 12 of rubber
     const TruthBalloon paper = balloon_of("stvk-3d"), rubber = truth_balloon_default();
-    const double share = mu_share * 3 / (2 * (1 + paper.poisson));
-    assert_close(truth_pressure_slope(&paper, 1) / share, 4.0, 1e-12);
-    assert_close(truth_pressure_slope(&rubber, 1) / mu_share, 12.0, 1e-12);
+    const double mu = paper.modulus / (2 * (1 + paper.poisson));
+    assert_close(paper.law->tangent(&paper, 1) / mu, 4.0, 1e-12);
+    assert_close(rubber.law->tangent(&rubber, 1) / (rubber.modulus / 3), 12.0, 1e-12);
     // far too stiff later
     assert_less(10 * truth_pressure(&rubber, 2), truth_pressure(&paper, 2));
-    // strain across the skin -nu/(1-nu) (e + e); its square stretch 1 + 2 strain is zero at the end
-    const TruthBalloon stvk = balloon_of("stvk");
-    const double l = truth_stvk_end(&stvk), nu = stvk.poisson;
-    assert_near(1 - 2 * nu / (1 - nu) * (l * l - 1), 0, 1e-14);
 }
 
 // --- at rest -----------------------------------------------------------------------------------
@@ -159,18 +153,10 @@ static void constant_pressure_finds_the_stable_branch(void** state) {
         const TruthBalloon other = balloon_of(truth_law_table[i].name);
         const double stretch = truth_stretch_pressure(&other, 1000);
         assert_close(truth_pressure(&other, stretch), 1000.0, 1e-12);
-        assert_less(0, truth_pressure_slope(&other, stretch));
+        assert_less(1000, truth_pressure(&other, stretch + 1e-3));
     }
     const TruthBalloon stiff = balloon_of("stvk"); // far past where a peak is looked for
     assert_close(truth_stretch_pressure(&stiff, truth_pressure(&stiff, 50)), 50.0, 1e-12);
-}
-
-static void helium_lifts_a_skin_that_is_stretched_enough(void** state) {
-    (void)state;
-    TruthBalloon b = truth_balloon_default();
-    assert_near(truth_stretch_flight(&b), 2.0555, last(4));
-    b.density = 1e6;
-    assert_true(isinf(truth_stretch_flight(&b)));
 }
 
 static void breathing_has_the_computed_frequencies(void** state) {
@@ -178,11 +164,6 @@ static void breathing_has_the_computed_frequencies(void** state) {
     const TruthBalloon b = truth_balloon_default();
     assert_near(truth_breath_pressure(&b, 1), 632.455532, last(6));
     assert_near(truth_breath_pressure(&b, 1.2), 299.364420, last(6));
-    const double amount[] = {1, 1.5, 2, 5}, w[] = {3245.381, 3437.523, 3594.204, 4172.153};
-    for (int i = 0; i < 4; i++) {
-        assert_near(truth_breath_gas(&b, amount[i], 1), w[i], last(3));
-        assert_less(w[i], truth_breath_gas(&b, amount[i], 1.4)); // adiabatic gas is stiffer
-    }
     // it takes ever longer towards the peak, and past it nothing swings back
     const double peak = pow(7, 1.0 / 6);
     assert_less(truth_breath_pressure(&b, peak - 1e-9), 0.1);
@@ -196,10 +177,9 @@ int main(void) {
         cmocka_unit_test(only_rubber_and_springs_have_a_peak),
         cmocka_unit_test(mooney_rivlin_loses_its_peak_at_the_critical_ratio),
         cmocka_unit_test(laws_of_springs_stand_off_rubber_as_computed),
-        cmocka_unit_test(stvk_starts_too_soft_or_ends_without_thickness),
+        cmocka_unit_test(stvk_starts_too_soft_and_becomes_too_stiff),
         cmocka_unit_test(closed_gas_rests_where_computed),
         cmocka_unit_test(constant_pressure_finds_the_stable_branch),
-        cmocka_unit_test(helium_lifts_a_skin_that_is_stretched_enough),
         cmocka_unit_test(breathing_has_the_computed_frequencies),
     };
     return cmocka_run_group_tests_name("truth", tests, NULL, NULL);

@@ -98,7 +98,8 @@ static PeerLinks links_like(const World* world, double spring) {
     return (PeerLinks){fmin(1, moved / rounds), rounds};
 }
 
-PeerLinks peer_fit(World* world, const PeerFit* fit) {
+/// The fitted links, or the stiffest if none fit.
+static PeerLinks fitted_links(World* world, const PeerFit* fit) {
     PeerLinks links = {.stiffness = 1, .rounds = 1};
     if (fit->spring > 0)
         return links_like(world, fit->spring);
@@ -149,7 +150,7 @@ static void write_row(const World* world, FILE* csv) {
 }
 
 bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
-    const PeerLinks links = peer_fit(world, &options->fit);
+    const PeerLinks links = fitted_links(world, &options->fit);
     if (!options->quiet)
         fprintf(stderr, "balloon: Bullet's links have stiffness %g in %d rounds\n", links.stiffness,
                 links.rounds);

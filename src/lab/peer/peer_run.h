@@ -31,9 +31,6 @@ typedef struct PeerRun {
     bool quiet;
 } PeerRun;
 
-/// The fitted links, or the stiffest if none fit.
-PeerLinks peer_fit(World* world, const PeerFit* fit);
-
 /// Run, and print the CSV to `csv`, NULL for none. The world's first balloon ends in the peer's
 /// state. Returns false with a fault if that state is bad.
 bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault);

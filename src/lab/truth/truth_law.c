@@ -173,13 +173,11 @@ double truth_pressure(const TruthBalloon* b, double l) {
     return b->thickness / b->radius * b->law->stress(b, l) / sq(l);
 }
 
-double truth_pressure_slope(const TruthBalloon* b, double l) {
+/// The pressure's slope, dp/dl = (h0/R0) (W'' - 2 W'/l)/l^2 [Pa].
+static double slope_at(const void* self, double l) {
+    const TruthBalloon* b = self;
     const double slope = b->law->tangent(b, l) - 2 * b->law->stress(b, l) / l;
     return b->thickness / b->radius * slope / sq(l);
-}
-
-static double slope_at(const void* self, double l) {
-    return truth_pressure_slope(self, l);
 }
 
 bool truth_peak(const TruthBalloon* balloon, double* l, double* pressure) {
@@ -187,7 +185,7 @@ bool truth_peak(const TruthBalloon* balloon, double* l, double* pressure) {
     // at which both vanish
     const double step = 2.5e-4;
     for (double x = 1; x < 10; x += step) {
-        if (truth_pressure_slope(balloon, x + step) < 0) {
+        if (slope_at(balloon, x + step) < 0) {
             *l = root_between(slope_at, balloon, x, x + step);
             *pressure = truth_pressure(balloon, *l);
             return true;
@@ -201,8 +199,4 @@ TruthBalloon truth_springs_fitted(const TruthBalloon* balloon, double l) {
     fitted.law = truth_law_find("hooke");
     fitted.springs *= truth_pressure(balloon, l) / truth_pressure(&fitted, l);
     return fitted;
-}
-
-double truth_stvk_end(const TruthBalloon* balloon) {
-    return sqrt(1 + (1 - balloon->poisson) / (2 * balloon->poisson));
 }

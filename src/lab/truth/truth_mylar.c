@@ -26,7 +26,3 @@ TruthMylar truth_mylar(double disc) {
         .volume = 2 * PI * r * r * r * lemniscate(4),
     };
 }
-
-double truth_mylar_tension(const TruthMylar* mylar, double pressure, double x) {
-    return pressure * mylar->radius * mylar->radius / (2 * x);
-}

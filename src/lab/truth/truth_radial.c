@@ -1,21 +1,17 @@
-/// The sphere in motion: one ordinary differential equation, and what its energy says without it.
+/// The sphere in motion, one ordinary differential equation:
 ///
 ///     l'' = (p(t, l) R0 l^2/h0 - W'(l))/(rho R0^2) - c l'
-///
-/// At a constant pressure from rest at l = 1 the energy rho R0^2 l'^2/2 + W - p R0 (l^3-1)/(3 h0)
-/// stays zero, which gives the furthest stretch, the period and the step that runs away.
 #include "lab/truth/truth.h"
 
 #include <math.h>
 
-#include "lab/truth/root.h"
-
-#include "base/real.h"
+/// Gauge pressure that is applied at time t and stretch l [Pa].
+typedef double (*Applied)(const TruthBalloon* balloon, const void* self, double t, double l);
 
 /// All that the right-hand side needs.
 typedef struct Radial {
     const TruthBalloon* balloon;
-    TruthApplied applied;
+    Applied applied;
     const void* self;
     double damping;
 } Radial;
@@ -42,8 +38,12 @@ static TruthMotion step(const Radial* radial, double t, double h, TruthMotion at
     return (TruthMotion){at.l + h * sum.l, at.speed + h * sum.speed};
 }
 
-TruthMotion truth_radial(const TruthBalloon* balloon, TruthApplied applied, const void* self,
-                         double damping, TruthMotion from, double since, double to) {
+/// The motion at time `to` of the skin that was at `from` at time `since`, damped by a force
+/// -damping m v (damping [1/s]). Runge-Kutta of order 4, steps halved until the end stands still to
+/// 1e-12 or to rounding, which a long or nearly run-away motion magnifies; infinite where the skin
+/// has run away by then. `applied` is smooth between the two times.
+static TruthMotion motion(const TruthBalloon* balloon, Applied applied, const void* self,
+                          double damping, TruthMotion from, double since, double to) {
     enum { FEWEST = 1 << 8, MOST = 1 << 22 };
     const Radial radial = {balloon, applied, self, damping};
     // speeds are judged over E's wave speed by R0, the size of the skin's own rates
@@ -71,76 +71,7 @@ static double constant(const TruthBalloon* balloon, const void* self, double t, 
 }
 
 TruthMotion truth_sudden(const TruthBalloon* balloon, double pressure, double t) {
-    return truth_radial(balloon, constant, &pressure, 0, (TruthMotion){1, 0}, 0, t);
-}
-
-/// The constant pressure that from rest just comes to rest again at l, 3 h0 W/(R0 (l^3-1)) [Pa].
-static double turning(const TruthBalloon* b, double l) {
-    const double energy = b->law->energy(b, l);
-    return 3 * b->thickness * energy / (b->radius * (l * l * l - 1));
-}
-
-/// The slope of that pressure has the sign of (l^3-1) W' - 3 l^2 W.
-static double turning_slope(const void* self, double l) {
-    const TruthBalloon* b = self;
-    return (l * l * l - 1) * b->law->stress(b, l) - 3 * l * l * b->law->energy(b, l);
-}
-
-/// Where it is largest: false where it still grows at l = 10.
-static bool turning_peak(const TruthBalloon* balloon, double* l) {
-    const double grain = 1e-3;
-    for (double x = 1 + grain; x < 10; x += grain) {
-        if (turning_slope(balloon, x + grain) < 0) {
-            *l = root_between(turning_slope, balloon, x, x + grain);
-            return true;
-        }
-    }
-    return false;
-}
-
-double truth_sudden_limit(const TruthBalloon* balloon) {
-    double l;
-    return turning_peak(balloon, &l) ? turning(balloon, l) : INFINITY;
-}
-
-/// A balloon and the pressure let on.
-typedef struct Sudden {
-    const TruthBalloon* balloon;
-    double pressure;
-} Sudden;
-
-static double turning_excess(const void* self, double l) {
-    const Sudden* sudden = self;
-    return turning(sudden->balloon, l) - sudden->pressure;
-}
-
-double truth_sudden_most(const TruthBalloon* balloon, double pressure) {
-    double high;
-    if (!turning_peak(balloon, &high))
-        high = 10;
-    if (turning(balloon, high) <= pressure)
-        return INFINITY;
-    const Sudden sudden = {balloon, pressure};
-    return root_between(turning_excess, &sudden, 1 + 1e-9, high);
-}
-
-double truth_sudden_period(const TruthBalloon* balloon, double pressure) {
-    const TruthBalloon* b = balloon;
-    const double most = truth_sudden_most(b, pressure);
-    if (!isfinite(most))
-        return INFINITY;
-    // l = middle - half cos(q) takes the speed's two zeros out of the integral: what is left is
-    // smooth and periodic in q, and the midpoint rule converges faster than any power
-    enum { POINTS = 200 };
-    const double half = (most - 1) / 2;
-    double sum = 0;
-    for (int i = 0; i < POINTS; i++) {
-        const double q = (i + 0.5) * PI / POINTS, l = 1 + half * (1 - cos(q));
-        const double energy = (l * l * l - 1) / 3 * (pressure - turning(b, l)); // over R0/h0
-        const double speed = sqrt(2 * energy / (b->density * b->thickness * b->radius));
-        sum += half * sin(q) / speed;
-    }
-    return 2 * sum * PI / POINTS;
+    return motion(balloon, constant, &pressure, 0, (TruthMotion){1, 0}, 0, t);
 }
 
 /// A gas that is let in at a constant rate.
@@ -161,6 +92,6 @@ TruthMotion truth_filling(const TruthBalloon* balloon, double more, double durat
     const Filling filling = {more, duration};
     const double kink = fmin(t, duration);
     const TruthMotion rest = {1, 0};
-    const TruthMotion at = truth_radial(balloon, filled, &filling, damping, rest, 0, kink);
-    return truth_radial(balloon, filled, &filling, damping, at, kink, t);
+    const TruthMotion at = motion(balloon, filled, &filling, damping, rest, 0, kink);
+    return motion(balloon, filled, &filling, damping, at, kink, t);
 }

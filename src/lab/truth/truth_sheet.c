@@ -1,9 +1,5 @@
-/// A grid of springs seen as a membrane, and what a string or a ball does on a skin.
+/// A grid of springs as a membrane, and the string that holds a skin.
 #include "lab/truth/truth.h"
-
-#include <math.h>
-
-#include "base/real.h"
 
 TruthSheet truth_sheet(double structural, double shear, double flexion) {
     // energy per cell of side a under strains xx, yy, xy: structural springs k a^2 xx^2/2, flexion
@@ -18,14 +14,6 @@ TruthSheet truth_sheet(double structural, double shear, double flexion) {
     };
 }
 
-double truth_area_growth(double amount, double radius, double biaxial) {
-    return 100 * amount / (8 * PI * radius * biaxial);
-}
-
 double truth_tether(int count, double mass, double lift, double gravity) {
     return count * mass * (lift - gravity);
-}
-
-double truth_ball(double contact, double pressure, double tension, double ball) {
-    return PI * contact * contact * (pressure + 2 * tension / ball);
 }
