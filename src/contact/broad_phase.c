@@ -50,7 +50,7 @@ double broad_phase_distance(Contacts* contacts, ContactSkin* skin, Sphere* spher
             ball_triangle_contact(&contact, sphere, skin->body, contacts->candidate[k], 1);
             distance = fmin(distance, (double)(contact.gap + sphere->radius));
         }
-        if (distance < fmin(reach, far) || reach >= far)
+        if (distance < fmin(reach, far) || !(reach < far)) // far may be NaN
             return distance;
     }
 }

@@ -298,6 +298,17 @@ static void each_pair_is_a_row_of_its_own(void** state) {
     }
 }
 
+/// A search for the nearest triangle within a reach that is NaN would never end.
+static void a_ball_whose_velocity_is_not_a_number_halts(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "ball-rests");
+    world.contacts.sphere[0].v[1] = (real)NAN;
+    world_step(&world);
+    assert_true(world.blowup.halted);
+    world_close(&world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_pair_is_a_row_of_its_own),
@@ -311,6 +322,7 @@ int main(void) {
         cmocka_unit_test(a_scene_with_no_ball_pays_nothing),
         cmocka_unit_test(a_balloon_comes_to_rest_on_the_floor),
         cmocka_unit_test(heavier_balls_are_launched_less_high),
+        cmocka_unit_test(a_ball_whose_velocity_is_not_a_number_halts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
