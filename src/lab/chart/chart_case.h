@@ -1,6 +1,6 @@
 /// What is charted: a table of cases, one row for each question that a scene answers.
 ///
-/// A case is a shipped scene, dressed in one or several skins; each skin is run on its resolutions
+/// A case is a shipped scene with one or several skins; each skin is run on its resolutions
 /// by every method that takes it. What is measured is a function of the CSV of the run, and has a
 /// truth of lab/truth/truth.h.
 #ifndef BALLOON_LAB_CHART_CHART_CASE_H
@@ -11,9 +11,9 @@
 /// The smallest chart that holds something; each larger one holds it too.
 typedef enum ChartExtent { CHART_QUICK, CHART_FULL, CHART_ALL } ChartExtent;
 
-/// Which methods run a resolution: HELD are those that some step holds without damping, and so the
-/// guard can.
-typedef enum ChartWho { ANY, EXPLICIT, IMPLICIT, HELD } ChartWho;
+/// Which methods run a resolution: STABLE_UNDAMPED are those with a stable step without damping, to
+/// which the guard can split.
+typedef enum ChartMethods { ANY, EXPLICIT, IMPLICIT, STABLE_UNDAMPED } ChartMethods;
 
 /// In which precisions.
 typedef enum ChartState { DOUBLE, BOTH } ChartState;
@@ -21,7 +21,7 @@ typedef enum ChartState { DOUBLE, BOTH } ChartState;
 typedef struct ChartResolution {
     const char* model; ///< NULL ends a list
     double step;       ///< [s]
-    ChartWho who;
+    ChartMethods methods;
     ChartState state;
     ChartExtent extent;
 } ChartResolution;

@@ -12,13 +12,13 @@ static double rest_truth(const ChartSkin* skin, double at) {
 
 // clang-format off
 static const ChartResolution rate_and_mesh[] = {
-    {"cube-sphere:13", 1.0 / 30,  HELD,     DOUBLE, CHART_QUICK},
-    {"cube-sphere:13", 1.0 / 60,  HELD,     DOUBLE, CHART_FULL},
-    {"cube-sphere:13", 1.0 / 120, HELD,     DOUBLE, CHART_FULL},
-    {"cube-sphere:13", 1.0 / 240, HELD,     DOUBLE, CHART_QUICK},
-    {"cube-sphere:13", 1.0 / 480, HELD,     DOUBLE, CHART_FULL},
-    {"cube-sphere:13", 1.0 / 960, HELD,     DOUBLE, CHART_FULL},
-    {"cube-sphere:9",  1.0 / 60,  HELD,     DOUBLE, CHART_QUICK},
+    {"cube-sphere:13", 1.0 / 30,  STABLE_UNDAMPED, DOUBLE, CHART_QUICK},
+    {"cube-sphere:13", 1.0 / 60,  STABLE_UNDAMPED, DOUBLE, CHART_FULL},
+    {"cube-sphere:13", 1.0 / 120, STABLE_UNDAMPED, DOUBLE, CHART_FULL},
+    {"cube-sphere:13", 1.0 / 240, STABLE_UNDAMPED, DOUBLE, CHART_QUICK},
+    {"cube-sphere:13", 1.0 / 480, STABLE_UNDAMPED, DOUBLE, CHART_FULL},
+    {"cube-sphere:13", 1.0 / 960, STABLE_UNDAMPED, DOUBLE, CHART_FULL},
+    {"cube-sphere:9",  1.0 / 60,  STABLE_UNDAMPED, DOUBLE, CHART_QUICK},
     {"cube-sphere:18", 1.0 / 60,  IMPLICIT, DOUBLE, CHART_FULL},
     {"cube-sphere:26", 1.0 / 60,  IMPLICIT, DOUBLE, CHART_FULL},
     {"cube-sphere:43", 1.0 / 60,  IMPLICIT, DOUBLE, CHART_FULL},
@@ -37,10 +37,10 @@ static const ChartResolution rate_of_links[] = {
 };
 
 static const ChartResolution rate_of_springs[] = {
-    {"cube-sphere:13", 1.0 / 30,  HELD, DOUBLE, CHART_FULL},
-    {"cube-sphere:13", 1.0 / 60,  HELD, DOUBLE, CHART_FULL},
-    {"cube-sphere:13", 1.0 / 240, HELD, DOUBLE, CHART_FULL},
-    {"cube-sphere:13", 1.0 / 960, HELD, DOUBLE, CHART_FULL},
+    {"cube-sphere:13", 1.0 / 30,  STABLE_UNDAMPED, DOUBLE, CHART_FULL},
+    {"cube-sphere:13", 1.0 / 60,  STABLE_UNDAMPED, DOUBLE, CHART_FULL},
+    {"cube-sphere:13", 1.0 / 240, STABLE_UNDAMPED, DOUBLE, CHART_FULL},
+    {"cube-sphere:13", 1.0 / 960, STABLE_UNDAMPED, DOUBLE, CHART_FULL},
     {0},
 };
 // clang-format on
@@ -60,9 +60,9 @@ const ChartCase chart_independence = {
     .peer = {FITTED_PEER, .step = 1.0 / 240, .resolution = rate_of_links},
 };
 
-// --- left alone --------------------------------------------------------------------------------
+// --- undisturbed -------------------------------------------------------------------------------
 
-static const char* const place[] = {"balloon0.cx", "balloon0.cy", "balloon0.cz"};
+static const char* const position[] = {"balloon0.cx", "balloon0.cy", "balloon0.cz"};
 
 /// Three columns of a row.
 static double4 vector_at(const Report* report, const char* const name[3], int row) {
@@ -70,17 +70,18 @@ static double4 vector_at(const Report* report, const char* const name[3], int ro
                      report_at(report, name[2], row), 0};
 }
 
-/// Largest acceleration of the center of mass between rows, from its places in three. [m/s^2]
+/// Largest acceleration of the center of mass between rows, from its positions in three. [m/s^2]
 static double self_acceleration(const Report* report, double at) {
     (void)at;
-    double most = 0;
+    double max = 0;
     for (int k = 1; k + 1 < report->rows; k++) {
         const double dt = report_at(report, "t", k) - report_at(report, "t", k - 1);
-        const double4 bend = vector_at(report, place, k + 1) - 2 * vector_at(report, place, k) +
-                             vector_at(report, place, k - 1);
-        most = fmax(most, dlength(bend) / (dt * dt));
+        const double4 bend = vector_at(report, position, k + 1) -
+                             2 * vector_at(report, position, k) +
+                             vector_at(report, position, k - 1);
+        max = fmax(max, dlength(bend) / (dt * dt));
     }
-    return most;
+    return max;
 }
 
 /// Largest angular momentum about its own center over a thin shell's 2/3 m r^2 [rad/s].
@@ -88,14 +89,14 @@ static double self_spin(const Report* report, double at) {
     (void)at;
     static const char* const about_origin[] = {"balloon0.lx", "balloon0.ly", "balloon0.lz"};
     static const char* const momentum[] = {"balloon0.px", "balloon0.py", "balloon0.pz"};
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < report->rows; k++) {
         const double radius = 0.1 * stretch_at(report, report_at(report, "t", k));
         const double4 l = vector_at(report, about_origin, k) -
-                          dcross(vector_at(report, place, k), vector_at(report, momentum, k));
-        most = fmax(most, dlength(l) / (2.0 / 3 * SPHERE_MASS * radius * radius));
+                          dcross(vector_at(report, position, k), vector_at(report, momentum, k));
+        max = fmax(max, dlength(l) / (2.0 / 3 * SPHERE_MASS * radius * radius));
     }
-    return most;
+    return max;
 }
 
 static double nothing(const ChartSkin* skin, double at) {

@@ -154,7 +154,7 @@ static double ball_height(const Report* report, double at) {
 // clang-format off
 static const ChartResolution under_ball[] = {
     {"grid:20x20", 4e-3, ANY, DOUBLE, CHART_FULL},
-    {"grid:40x40", 2e-3, HELD, DOUBLE, CHART_FULL},
+    {"grid:40x40", 2e-3, STABLE_UNDAMPED, DOUBLE, CHART_FULL},
     {0},
 };
 // clang-format on

@@ -10,10 +10,10 @@
 
 static const double real_time = 1000; ///< [ms of CPU time per simulated second]
 
-/// Errors of the axis, at most and at least: what is larger fell, too. [1]
-static const double error_most = 10, error_least = 1e-2;
+/// Largest and smallest error of the axis: a run of a larger error counts as failed. [1]
+static const double error_max = 10, error_min = 1e-2;
 
-/// How far below the upper edge those are that fell. [1]
+/// Distance of failed runs below the upper edge of the picture, as a ratio. [1]
 static const double edge = 1.15;
 
 /// Okabe and Ito's colors, which everyone can tell apart: the peer's, then the methods'.
@@ -49,7 +49,7 @@ static bool is_drawn(const ChartPlan* plan, int from, int p) {
 }
 
 static void error_range(const ChartPlan* plan, int from, int to, double* low, double* high) {
-    *low = error_least, *high = 10 * error_least;
+    *low = error_min, *high = 10 * error_min;
     if (plan->point[from].floor > 0)
         *low = fmin(*low, plan->point[from].floor);
     for (int p = from; p < to; p++) {
@@ -57,25 +57,25 @@ static void error_range(const ChartPlan* plan, int from, int to, double* low, do
         if (plan->point[p].launch == NONE || !(error > 0) || !isfinite(error))
             continue;
         *low = fmin(*low, error);
-        *high = fmax(*high, fmin(error, error_most));
+        *high = fmax(*high, fmin(error, error_max));
     }
     *low = pow(10, floor(log10(*low)));
     *high = pow(10, ceil(log10(*high)));
 }
 
-/// Whether a line has points that stand in this precision, or that fell.
+/// Whether a line has stable points in this precision; precision NULL: whether it has failed points.
 static bool has_points(const ChartPlan* plan, int from, int p, const char* precision, double top) {
     for (int q = from; q < chart_end(plan, from); q++) {
         const ChartPoint* point = &plan->point[q];
-        const bool fell = !point->stable || !(point->error <= top);
+        const bool failed = !point->stable || !(point->error <= top);
         if (point->launch != NONE && chart_same_line(point, &plan->point[p]) &&
-            (precision ? !fell && strcmp(point->precision, precision) == 0 : fell))
+            (precision ? !failed && strcmp(point->precision, precision) == 0 : failed))
             return true;
     }
     return false;
 }
 
-/// Points of a line in both precisions, where it fell, and the line through its best.
+/// Points of a line in both precisions, its failed ones, and the line through its best.
 static void plot_line(const ChartPlan* plan, int from, int p, double top, FILE* script) {
     char key[160], title[96];
     const ChartPoint* point = &plan->point[p];
@@ -102,7 +102,7 @@ static void plot_line(const ChartPlan* plan, int from, int p, double top, FILE* 
                     is_float && in_double ? "" : title);
     if (has_points(plan, from, p, NULL, top))
         fprintf(script,
-                "    'chart.csv' using (is(%s) && fell(%g) ? $8 : NaN):(%g) with points pt 2 lc "
+                "    'chart.csv' using (is(%s) && failed(%g) ? $8 : NaN):(%g) with points pt 2 lc "
                 "'%s' title '%s', \\\n",
                 key, top, top / edge, color, in_double || in_float ? "" : title);
 }
@@ -117,8 +117,8 @@ static bool draw_one(const ChartPlan* plan, int from, int to, const char* folder
     fprintf(plot.script,
             "is(scene, method, skin, law) = strcol(1) eq scene && strcol(2) eq method && strcol(3) "
             "eq skin && strcol(4) eq law\n"
-            "state(precision, most) = strcol(7) eq precision && strcol(12) eq '1' && $11 <= most\n"
-            "fell(most) = strcol(12) eq '0' || (strcol(12) eq '1' && !($11 <= most))\n"
+            "state(precision, max) = strcol(7) eq precision && strcol(12) eq '1' && $11 <= max\n"
+            "failed(max) = strcol(12) eq '0' || (strcol(12) eq '1' && !($11 <= max))\n"
             "set datafile missing NaN\n"
             "set title \"{/:Bold %s}\\n{/*0.8 %s}\"\n"
             "set logscale xy\nset format y '10^{%%L}'\nset grid lt 1 lc rgb '#dddddd'\nset "

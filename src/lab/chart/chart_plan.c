@@ -11,7 +11,7 @@
 enum { SETS = 2 * CHART_SETS + 5 };
 
 /// One skin of a case at one resolution, for one measure: what all methods share.
-typedef struct Dress {
+typedef struct Variant {
     const ChartCase* chart;
     const ChartSkin* skin;
     const ChartResolution* resolution;
@@ -20,63 +20,67 @@ typedef struct Dress {
     char text[SETS][220];
     SceneSet set[SETS];
     int sets;
-} Dress;
+} Variant;
 
-__attribute__((format(printf, 2, 3))) static void add_set(Dress* dress, const char* format, ...) {
-    char* text = dress->text[dress->sets];
+__attribute__((format(printf, 2, 3))) static void add_set(Variant* variant, const char* format,
+                                                          ...) {
+    char* text = variant->text[variant->sets];
     va_list list;
     va_start(list, format);
-    vsnprintf(text, sizeof dress->text[0], format, list);
+    vsnprintf(text, sizeof variant->text[0], format, list);
     va_end(list);
-    dress->set[dress->sets++].text = text;
+    variant->set[variant->sets++].text = text;
 }
 
 /// In place, for it points into itself.
-static void dress_make(Dress* dress, const ChartCase* chart, const ChartSkin* skin,
-                       const ChartResolution* resolution, const ChartMeasure* measure,
-                       const ChartOptions* options) {
-    *dress = (Dress){.chart = chart,
-                     .skin = skin,
-                     .resolution = resolution,
-                     .measure = measure,
-                     .program = options->program};
-    add_set(dress, "balloons.0.model=%s", resolution->model);
+static void variant_make(Variant* variant, const ChartCase* chart, const ChartSkin* skin,
+                         const ChartResolution* resolution, const ChartMeasure* measure,
+                         const ChartOptions* options) {
+    *variant = (Variant){.chart = chart,
+                         .skin = skin,
+                         .resolution = resolution,
+                         .measure = measure,
+                         .program = options->program};
+    add_set(variant, "balloons.0.model=%s", resolution->model);
     for (int k = 0; k < CHART_SETS && skin->set[k]; k++)
-        add_set(dress, "%s", skin->set[k]);
+        add_set(variant, "%s", skin->set[k]);
     if (skin->law) { // kd = E h/2, and of E h = ks + 4 kf a third in flexion
         const double sheet = skin->sheet();
-        add_set(dress,
+        add_set(variant,
                 "balloons.0.skin={springs: {structural: %.17g, shear: %.17g, flexion: %.17g, law: "
                 "%s}}",
                 sheet * 2 / 3, sheet / 2, sheet / 12, skin->law);
     }
     if (measure->key)
-        add_set(dress, "%s=%.17g", measure->key, measure->value(measure->at));
+        add_set(variant, "%s=%.17g", measure->key, measure->value(measure->at));
 }
 
-/// What the peer's scene has of its own.
-static void dress_peer(Dress* dress) {
-    const ChartPeer* peer = &dress->chart->peer;
+/// Overrides of the peer's scene alone.
+static void add_peer_sets(Variant* variant) {
+    const ChartPeer* peer = &variant->chart->peer;
     for (int k = 0; k < CHART_SETS && peer->set[k]; k++)
-        add_set(dress, "%s", peer->set[k]);
+        add_set(variant, "%s", peer->set[k]);
     if (peer->key)
-        add_set(dress, "%s=%.17g", peer->key, peer->value());
+        add_set(variant, "%s=%.17g", peer->key, peer->value());
 }
 
-/// Give every particle its share of the skin's mass, once it is known how many there are.
-static bool share_mass(Dress* dress, Fault* fault) {
-    if (dress->skin->mass == 0)
-        return true;
+static bool count_vertices(const Variant* variant, int* vertices, Fault* fault) {
     char path[512];
     const WorldDef nowhere = {0};
     Mesh mesh = {0};
     MeshReport report = {0};
-    if (!scene_model_path(&nowhere, dress->resolution->model, path, fault) ||
+    if (!scene_model_path(&nowhere, variant->resolution->model, path, fault) ||
         !mesh_load(path, &mesh, &report, fault))
         return false;
-    add_set(dress, "balloons.0.mass={per_particle: %.17g}", dress->skin->mass / mesh.point_count);
+    *vertices = mesh.point_count;
     mesh_free(&mesh);
     return true;
+}
+
+/// Divide the skin's mass equally among its particles.
+static void divide_mass(Variant* variant, int vertices) {
+    if (variant->skin->mass != 0)
+        add_set(variant, "balloons.0.mass={per_particle: %.17g}", variant->skin->mass / vertices);
 }
 
 static int find_launch(ChartPlan* plan, Launch* launch) {
@@ -90,12 +94,12 @@ static int find_launch(ChartPlan* plan, Launch* launch) {
 }
 
 /// The command line of a run by a method, or NULL: by the peer.
-static void command(const Dress* dress, const char* method, double step, const char* precision,
+static void command(const Variant* variant, const char* method, double step, const char* precision,
                     Launch* launch) {
-    const ChartPeer* peer = &dress->chart->peer;
-    launch_add(launch, "%s", dress->program[strcmp(precision, "double") == 0]);
+    const ChartPeer* peer = &variant->chart->peer;
+    launch_add(launch, "%s", variant->program[strcmp(precision, "double") == 0]);
     launch_add(launch, method ? "run" : "peer");
-    launch_add(launch, "%s.yaml", dress->chart->scene);
+    launch_add(launch, "%s.yaml", variant->chart->scene);
     if (method)
         launch_add(launch, "--method=%s", method);
     else if (peer->spring > 0)
@@ -104,102 +108,129 @@ static void command(const Dress* dress, const char* method, double step, const c
         launch_add(launch, "--fit=%.17g,%.17g,%.17g", peer->pressure(), pow(peer->stretch(), 3),
                    peer->step);
     launch_add(launch, "--step=%.17g", step);
-    for (int k = 0; k < dress->sets; k++)
-        launch_add(launch, "--set=%s", dress->set[k].text);
-    launch_add(launch, "--seconds=%.17g", dress->chart->seconds);
-    launch_add(launch, "--fps=%.17g", dress->chart->rows);
+    for (int k = 0; k < variant->sets; k++)
+        launch_add(launch, "--set=%s", variant->set[k].text);
+    launch_add(launch, "--seconds=%.17g", variant->chart->seconds);
+    launch_add(launch, "--fps=%.17g", variant->chart->rows);
     launch_add(launch, "--csv=-");
     launch_add(launch, "--report");
 }
 
-static const char* skin_of(const BalloonDef* balloon, const char** law) {
-    *law = balloon->skin.springs    ? spring_law_name[balloon->skin.springs->law]
-           : balloon->skin.membrane ? balloon->skin.membrane->material
-                                    : "-";
-    return balloon->skin.springs ? "springs" : balloon->skin.membrane ? "membrane" : "-";
+/// What the scene makes of a skin, at any resolution and for any measure.
+typedef struct SkinFacts {
+    bool known;
+    char skin[16], law[32];
+    unsigned refusing; ///< the methods that refuse the body, bit k for row k of method_table
+} SkinFacts;
+
+/// Open the scene in this skin.
+static bool find_facts(const Variant* variant, SkinFacts* facts, Fault* fault) {
+    char scene[80];
+    snprintf(scene, sizeof scene, "%s.yaml", variant->chart->scene);
+    WorldDef def;
+    World world;
+    if (!scene_load(scene, variant->set, variant->sets, &def, fault) ||
+        !world_open(&world, &def, fault))
+        return false;
+    const SkinDef* skin = &world.balloon[0].def->skin;
+    *facts = (SkinFacts){.known = true};
+    snprintf(facts->skin, sizeof facts->skin, "%s",
+             skin->springs    ? "springs"
+             : skin->membrane ? "membrane"
+                              : "-");
+    snprintf(facts->law, sizeof facts->law, "%s",
+             skin->springs    ? spring_law_name[skin->springs->law]
+             : skin->membrane ? skin->membrane->material
+                              : "-");
+    for (int k = 0; k < method_count; k++)
+        if (method_refuses(method_table[k], &world.balloon[0].body))
+            facts->refusing |= 1u << k;
+    world_close(&world);
+    return true;
 }
 
-/// method NULL: the peer's.
-static void add_point(ChartPlan* plan, const Dress* dress, const World* world, const Method* method,
-                      const char* precision) {
-    const char* law;
-    const ChartMeasure* measure = dress->measure;
+/// A point of the method in this row of method_table; facts NULL: of the peer.
+static void add_point(ChartPlan* plan, const Variant* variant, const SkinFacts* facts, int row,
+                      int vertices, const char* precision) {
+    const Method* method = facts ? method_table[row] : NULL;
+    const ChartMeasure* measure = variant->measure;
     ChartPoint* point = &plan->point[plan->points++];
-    *point = (ChartPoint){.chart = dress->chart,
+    *point = (ChartPoint){.chart = variant->chart,
                           .measure = measure,
-                          .vertices = world->balloon[0].body.count,
-                          .step = dress->resolution->step,
+                          .vertices = vertices,
+                          .step = variant->resolution->step,
                           .precision = precision,
-                          .truth = measure->truth ? measure->truth(dress->skin, measure->at)
+                          .truth = measure->truth ? measure->truth(variant->skin, measure->at)
                                                   : (double)NAN,
-                          .apart = method && dress->skin->apart,
+                          .apart = method && variant->skin->apart,
                           .launch = NONE};
-    snprintf(point->name, sizeof point->name, "%s%s%s", dress->chart->scene,
+    snprintf(point->name, sizeof point->name, "%s%s%s", variant->chart->scene,
              measure->name ? "." : "", measure->name ? measure->name : "");
-    const char* skin = skin_of(world->balloon[0].def, &law);
     snprintf(point->method, sizeof point->method, "%s", method ? method->name : chart_peer_name);
-    snprintf(point->skin, sizeof point->skin, "%s", method ? skin : "links");
-    snprintf(point->law, sizeof point->law, "%s", method ? law : "-");
-    if (method && method_refuses(method, &world->balloon[0].body))
+    snprintf(point->skin, sizeof point->skin, "%s", facts ? facts->skin : "links");
+    snprintf(point->law, sizeof point->law, "%s", facts ? facts->law : "-");
+    if (facts && facts->refusing & 1u << row)
         return;
 
     Launch launch = {.words = 0};
-    command(dress, method ? method->name : NULL, point->step, precision, &launch);
+    command(variant, method ? method->name : NULL, point->step, precision, &launch);
     point->launch = find_launch(plan, &launch);
 }
 
-static bool takes_part(const Method* method, ChartWho who) {
-    switch (who) {
+static bool takes_part(const Method* method, ChartMethods methods) {
+    switch (methods) {
         case EXPLICIT:
             return !method->implicit;
         case IMPLICIT:
             return method->implicit;
-        case HELD:
+        case STABLE_UNDAMPED:
             return method_limit(method, 1, 0) > 0;
         default:
             return true;
     }
 }
 
-/// All points of one skin at one resolution, for one measure; of the peer, or of all methods.
-static bool add_points(ChartPlan* plan, Dress* dress, bool peer, const ChartOptions* options,
-                       Fault* fault) {
-    const ChartResolution* at = dress->resolution;
-    const char* only = dress->skin->only;
-    char scene[80];
-    snprintf(scene, sizeof scene, "%s.yaml", dress->chart->scene);
-    WorldDef def;
-    World world;
-    if (!share_mass(dress, fault) || !scene_load(scene, dress->set, dress->sets, &def, fault) ||
-        !world_open(&world, &def, fault))
+/// All points of one skin at one resolution, for one measure: of all methods, or with facts NULL of
+/// the peer.
+static bool add_points(ChartPlan* plan, Variant* variant, SkinFacts* facts,
+                       const ChartOptions* options, Fault* fault) {
+    const ChartResolution* at = variant->resolution;
+    const char* only = variant->skin->only;
+    int vertices;
+    if (!count_vertices(variant, &vertices, fault))
+        return false;
+    divide_mass(variant, vertices);
+    if (facts && !facts->known && !find_facts(variant, facts, fault))
         return false;
     const bool both = at->state == BOTH || options->extent == CHART_ALL;
-    for (int k = 0; k < (peer ? 1 : method_count); k++) {
-        const Method* method = peer ? NULL : method_table[k];
-        if (method && (!takes_part(method, at->who) || (only && strcmp(method->name, only) != 0)))
+    for (int k = 0; k < (facts ? method_count : 1); k++) {
+        const Method* method = method_table[k];
+        if (facts &&
+            (!takes_part(method, at->methods) || (only && strcmp(method->name, only) != 0)))
             continue;
-        add_point(plan, dress, &world, method, "double");
+        add_point(plan, variant, facts, k, vertices, "double");
         if (both)
-            add_point(plan, dress, &world, method, "float");
+            add_point(plan, variant, facts, k, vertices, "float");
     }
-    world_close(&world);
     return true;
 }
 
-/// The runs that tell what is true where no closed form does: h and h/2 of two methods.
+/// The reference runs of a case without a closed form: h and h/2 of two methods.
 static bool add_references(ChartPlan* plan, const ChartCase* chart, const ChartOptions* options,
                            Fault* fault) {
     const ChartReference* reference = &chart->reference;
     const ChartResolution at = {.model = reference->model};
-    Dress dress;
-    dress_make(&dress, chart, &chart->skin[0], &at, &chart->measure[0], options);
+    Variant variant;
+    variant_make(&variant, chart, &chart->skin[0], &at, &chart->measure[0], options);
     plan->referred[plan->references / CHART_REFERENCES] = chart;
-    if (!share_mass(&dress, fault))
+    int vertices;
+    if (!count_vertices(&variant, &vertices, fault))
         return false;
+    divide_mass(&variant, vertices);
     for (int k = 0; k < CHART_REFERENCES; k++) {
         Launch* launch = &plan->reference[plan->references++];
         const double step = reference->step[k / 2] / (k % 2 + 1);
-        command(&dress, reference->method[k / 2], step, "double", launch);
+        command(&variant, reference->method[k / 2], step, "double", launch);
     }
     return true;
 }
@@ -208,36 +239,38 @@ static bool is_wanted(const ChartCase* chart, const char* only) {
     return !only || strcmp(chart->scene, only) == 0 || strcasecmp(chart->letter, only) == 0;
 }
 
-/// The points of one list of resolutions; without a plan only their number is added to room.
+/// The points of one list of resolutions; without a plan only their number is added to *capacity.
 static bool walk_resolutions(ChartPlan* plan, const ChartCase* chart, const ChartMeasure* measure,
-                             const ChartSkin* skin, const ChartOptions* options, int* room,
-                             Fault* fault) {
+                             const ChartSkin* skin, SkinFacts* facts, const ChartOptions* options,
+                             int* capacity, Fault* fault) {
     const ChartResolution* at = skin ? skin->resolution : chart->peer.resolution;
     for (; at && at->model; at++) {
         if (at->extent > options->extent)
             continue;
-        *room += 2 * method_count;
+        *capacity += 2 * method_count;
         if (!plan)
             continue;
-        Dress dress;
-        dress_make(&dress, chart, skin ? skin : &chart->skin[0], at, measure, options);
+        Variant variant;
+        variant_make(&variant, chart, skin ? skin : &chart->skin[0], at, measure, options);
         if (!skin)
-            dress_peer(&dress);
-        if (!add_points(plan, &dress, !skin, options, fault))
+            add_peer_sets(&variant);
+        if (!add_points(plan, &variant, facts, options, fault))
             return false;
     }
     return true;
 }
 
 /// Each measure, skin and resolution of the extent, in the order of chart.csv; the peer last.
-static bool walk(ChartPlan* plan, const ChartCase* chart, const ChartOptions* options, int* room,
-                 Fault* fault) {
+static bool walk(ChartPlan* plan, const ChartCase* chart, const ChartOptions* options,
+                 int* capacity, Fault* fault) {
+    SkinFacts facts[CHART_SKINS] = {0};
     for (int m = 0; m < CHART_MEASURES && chart->measure[m].measured; m++) {
         const ChartMeasure* measure = &chart->measure[m];
         for (int s = 0; s < CHART_SKINS && chart->skin[s].resolution; s++)
-            if (!walk_resolutions(plan, chart, measure, &chart->skin[s], options, room, fault))
+            if (!walk_resolutions(plan, chart, measure, &chart->skin[s], &facts[s], options,
+                                  capacity, fault))
                 return false;
-        if (!walk_resolutions(plan, chart, measure, NULL, options, room, fault))
+        if (!walk_resolutions(plan, chart, measure, NULL, NULL, options, capacity, fault))
             return false;
     }
     return true;
@@ -245,21 +278,21 @@ static bool walk(ChartPlan* plan, const ChartCase* chart, const ChartOptions* op
 
 bool chart_plan(ChartPlan* plan, const ChartOptions* options, Fault* fault) {
     *plan = (ChartPlan){.extent = options->extent};
-    int room = 0;
+    int capacity = 0;
     for (int k = 0; k < chart_count; k++)
         if (is_wanted(chart_table[k], options->only))
-            walk(NULL, chart_table[k], options, &room, fault);
-    if (room == 0)
+            walk(NULL, chart_table[k], options, &capacity, fault);
+    if (capacity == 0)
         return fault_set(fault, options->only, "no such scene in this chart; see balloon list");
-    plan->point = new_array(ChartPoint, room);
-    plan->launch = new_array(Launch, room);
+    plan->point = new_array(ChartPoint, capacity);
+    plan->launch = new_array(Launch, capacity);
     plan->reference = new_array(Launch, CHART_REFERENCES * chart_count);
     plan->referred = new_array(const ChartCase*, chart_count);
     for (int k = 0; k < chart_count; k++) {
         const int before = plan->points;
         if (!is_wanted(chart_table[k], options->only))
             continue;
-        if (!walk(plan, chart_table[k], options, &room, fault))
+        if (!walk(plan, chart_table[k], options, &capacity, fault))
             return false;
         if (plan->points > before && chart_table[k]->reference.model &&
             !add_references(plan, chart_table[k], options, fault))

@@ -101,12 +101,12 @@ static const ChartPoint* cheapest(const ChartPlan* plan, int from, bool peer, do
 
 /// The smallest error of the peer or of our methods; INFINITY: none.
 static double min_error(const ChartPlan* plan, int from, bool peer) {
-    double least = INFINITY;
+    double smallest = INFINITY;
     for (int p = from; p < chart_end(plan, from); p++)
         if (plan->point[p].stable && !plan->point[p].apart &&
             chart_is_peer(&plan->point[p]) == peer)
-            least = fmin(least, plan->point[p].error);
-    return least;
+            smallest = fmin(smallest, plan->point[p].error);
+    return smallest;
 }
 
 static void write_error(const ChartPoint* point, FILE* out) {
