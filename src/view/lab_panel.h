@@ -26,7 +26,7 @@ typedef struct LabCurve {
     float path[LAB_POINTS][2]; ///< [count] stretch l, pressure p
 } LabCurve;
 
-typedef enum LabCell { LAB_UNKNOWN, LAB_STABLE, LAB_WOBBLING, LAB_EXPLODED, LAB_CELLS } LabCell;
+typedef enum LabCell { LAB_UNKNOWN, LAB_STABLE, LAB_MARGINAL, LAB_EXPLODED, LAB_CELLS } LabCell;
 
 /// Which steps are stable: columns are steps, rows are stiffnesses, the lowest first.
 typedef struct LabMap {

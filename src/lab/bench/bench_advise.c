@@ -14,20 +14,20 @@ enum { SETS = 2, RUNS = 3 };
 
 /// Allowed ratio of measured to promised cost. [1]
 static const double cost_margin = 1.5;
-/// Minimum share of requests whose promise must be kept. [1]
-static const double kept_min = 0.95;
+/// Minimum share of satisfied requests: a promise kept, or refused. [1]
+static const double satisfied_min = 0.95;
 
-static const double asked_error[] = {0.05, 0.01, 0.002}; ///< [1]
-static const double asked_ms[] = {1, 4, 16};             ///< [ms]
+static const double requested_error[] = {0.05, 0.01, 0.002}; ///< [1]
+static const double requested_ms[] = {1, 4, 16};             ///< [ms]
 
 /// A scene with parameters scaled by a factor, and the true value of its first output.
-typedef struct AskedScene {
+typedef struct RequestScene {
     const char* scene;
     const char* key; ///< set to `value` times the factor
     double value;
     double (*truth)(double factor);
     const char* set[SETS]; ///< other keys, up to the first NULL
-} AskedScene;
+} RequestScene;
 
 static double sphere_volume(double l) {
     return 4.0 / 3 * PI * pow(0.1 * l, 3);
@@ -67,7 +67,7 @@ static double cube(double factor) {
 }
 
 // clang-format off
-static const AskedScene asked_table[] = {
+static const RequestScene request_table[] = {
     {"sphere-gas",      "balloons.0.inflation.fill.to", 2, gas, {NULL}},
     {"sphere-gas",      "balloons.0.skin.membrane.thickness", 3e-4, thick_gas, {NULL}},
     {"sphere-pressure", "balloons.0.skin.membrane.young", 1e6, pressure,
@@ -78,16 +78,16 @@ static const AskedScene asked_table[] = {
     {"exact-cube",      "balloons.0.inflation.amount", 1, cube, {NULL}},
 };
 // clang-format on
-enum { ASKED = sizeof asked_table / sizeof *asked_table };
+enum { REQUESTS = sizeof request_table / sizeof *request_table };
 
 typedef struct Tally {
-    int asked, kept, refused;
+    int requests, satisfied, refused;
 } Tally;
 
-static int sets_for(const AskedScene* asked, double factor, Overrides* sets, SceneSet* set) {
-    overrides_add(sets, "%s=%.17g", asked->key, asked->value * factor);
-    for (int k = 0; k < SETS && asked->set[k]; k++)
-        overrides_add(sets, "%s", asked->set[k]);
+static int sets_for(const RequestScene* request, double factor, Overrides* sets, SceneSet* set) {
+    overrides_add(sets, "%s=%.17g", request->key, request->value * factor);
+    for (int k = 0; k < SETS && request->set[k]; k++)
+        overrides_add(sets, "%s", request->set[k]);
     for (int k = 0; k < sets->count; k++)
         set[k].text = sets->text[k];
     return sets->count;
@@ -112,7 +112,7 @@ static bool run_advised(const char* scene, const World* world, const Overrides* 
             launch_add(&launch, "--set=%s", sets->text[k]);
         launch_add(&launch, "--seconds=%.17g", fmax(0.3, about->at));
         launch_add(&launch, "--report");
-        good = launch_all(&launch, 1, 1, "asked", fault);
+        good = launch_all(&launch, 1, 1, "advised", fault);
         if (good) {
             report_read(&report, &launch);
             *value = report_output(&report, 0);
@@ -124,14 +124,15 @@ static bool run_advised(const char* scene, const World* world, const Overrides* 
     return good;
 }
 
-static bool ask(const AskedScene* asked, double factor, const World* world, const Advice* advice,
-                const Overrides* own, double error, double ms, Tally* tally, Fault* fault) {
+static bool request_one(const RequestScene* request, double factor, const World* world,
+                        const Advice* advice, const Overrides* own, double error, double ms,
+                        Tally* tally, Fault* fault) {
     const AdvicePoint* best;
     const AdvicePoint* point = advise_pick(advice, error, ms, &best);
-    tally->asked++;
-    printf("%s,%g,%g,", asked->scene, error, ms);
+    tally->requests++;
+    printf("%s,%g,%g,", request->scene, error, ms);
     if (!point) { // refused: nothing was promised
-        tally->kept++;
+        tally->satisfied++;
         tally->refused++;
         puts("-,,,,,,,");
         return true;
@@ -139,38 +140,40 @@ static bool ask(const AskedScene* asked, double factor, const World* world, cons
     Overrides sets = *own;
     double value, cost;
     advise_sets(world, point, &sets);
-    if (!run_advised(asked->scene, world, &sets, &value, &cost, fault))
+    if (!run_advised(request->scene, world, &sets, &value, &cost, fault))
         return false;
-    const double truth = asked->truth(factor), off = fabs(value - truth) / fabs(truth);
+    const double truth = request->truth(factor), off = fabs(value - truth) / fabs(truth);
     const double promise = advise_promise(advice, point);
     fflush(stdout);
-    tally->kept += off <= promise && cost <= cost_margin * point->ms;
+    tally->satisfied += off <= promise && cost <= cost_margin * point->ms;
     printf("%s,%d,%g,%s,%.3g,%.3g,%.3g,%.3g\n", point->method, point->level, point->step,
            point->precision, promise, off, point->ms, cost);
     return true;
 }
 
-static bool ask_all(const AskedScene* asked, double factor, bool quick, Tally* tally,
-                    Fault* fault) {
+static bool request_all(const RequestScene* request, double factor, bool quick, Tally* tally,
+                        Fault* fault) {
     Overrides own = {.count = 0}, first = {.count = 0};
     SceneSet set[MAX_OVERRIDES], measured[MAX_OVERRIDES];
     Advice advice;
     WorldDef def;
     World world;
-    const int count = sets_for(asked, factor, &own, set);
-    sets_for(asked, 1, &first, measured);
-    if (!advise_points(asked->scene, measured, count, false, &advice, fault))
+    const int count = sets_for(request, factor, &own, set);
+    sets_for(request, 1, &first, measured);
+    if (!advise_points(request->scene, measured, count, false, &advice, fault))
         return false;
     bool good =
-        scene_load(asked->scene, set, count, &def, fault) && world_open(&world, &def, fault);
+        scene_load(request->scene, set, count, &def, fault) && world_open(&world, &def, fault);
     if (!good) {
         advise_free(&advice);
         return false;
     }
     for (int k = 0; good && k < 3; k++)
-        good = ask(asked, factor, &world, &advice, &own, asked_error[k], 0, tally, fault);
+        good = request_one(request, factor, &world, &advice, &own, requested_error[k], 0, tally,
+                           fault);
     for (int k = 0; good && !quick && k < 3; k++)
-        good = ask(asked, factor, &world, &advice, &own, 0, asked_ms[k], tally, fault);
+        good =
+            request_one(request, factor, &world, &advice, &own, 0, requested_ms[k], tally, fault);
     world_close(&world);
     advise_free(&advice);
     return good;
@@ -181,18 +184,18 @@ static bool measure(const BenchOptions* options, Fault* fault) {
     Tally tally = {0};
     puts("scene,asked_error,asked_ms,method,level,step,precision,expected_error,measured_error,"
          "expected_ms,measured_ms");
-    for (int k = 0; k < ASKED; k++) {
-        if (quick && k + 1 < ASKED)
+    for (int k = 0; k < REQUESTS; k++) {
+        if (quick && k + 1 < REQUESTS)
             continue;
-        if (!ask_all(&asked_table[k], 0.9, quick, &tally, fault) ||
-            !ask_all(&asked_table[k], 1.1, quick, &tally, fault))
+        if (!request_all(&request_table[k], 0.9, quick, &tally, fault) ||
+            !request_all(&request_table[k], 1.1, quick, &tally, fault))
             return false;
     }
-    printf("%d of %d asks kept, %d of them by saying that it cannot be had\n", tally.kept,
-           tally.asked, tally.refused);
-    return tally.kept >= kept_min * tally.asked ||
-           fault_set(fault, "advise", "%d of %d asks were kept, which is less than %g %%",
-                     tally.kept, tally.asked, 100 * kept_min);
+    printf("%d of %d requests satisfied, %d of them by a refusal\n", tally.satisfied,
+           tally.requests, tally.refused);
+    return tally.satisfied >= satisfied_min * tally.requests ||
+           fault_set(fault, "advise", "%d of %d requests were satisfied, which is less than %g %%",
+                     tally.satisfied, tally.requests, 100 * satisfied_min);
 }
 
 const BenchCase bench_advise = {

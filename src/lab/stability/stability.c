@@ -238,7 +238,7 @@ static bool draw(const char* folder, const MapCase* map, bool quick, const char*
     fprintf(plot.script,
             "low(c) = %s\nhigh(c) = %s\n"
             "is(m, v) = strcol(1) eq '%s' && strcol(2) eq m && (v eq '' || strcol(5) eq v)\n"
-            "array verdict[3] = ['stable', 'wobbling', 'exploded']\n"
+            "array verdict[3] = ['stable', 'marginal', 'exploded']\n"
             "array color[3] = ['#9ecae1', '#fec44f', '#cb181d']\n"
             "do for [m in '",
             map->logarithmic ? "c / up" : "c - up", map->logarithmic ? "c * up" : "c + up",

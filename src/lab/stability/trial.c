@@ -10,25 +10,25 @@
 
 const double trial_precision = 1e-3;
 
-const char* const verdict_name[VERDICTS] = {"stable", "wobbling", "exploded"};
+const char* const verdict_name[VERDICTS] = {"stable", "marginal", "exploded"};
 
 // --- of the definition ---
 static const double push_size =
     sizeof(real) == sizeof(double) ? 1e-6 : 1e-4; ///< [balloon's size]; float rounds to 6e-8
 enum { TRIAL_STEPS = 2000 };
-static const double explosion = 10; ///< [first energy]
+static const double explosion = 10; ///< [start energy]
 /// Just below its limit, euler's undamped energy beats with the amplitude 1/(1 - h w/2), which is
-/// no growth: a search for the limit goes on to here. [first energy]
-static const double beyond = 1e4;
+/// no growth: a search for the limit goes on to here. [start energy]
+static const double search_explosion = 1e4;
 
 // --- of the measurement ---
 /// A balloon that moves less in a long step is at rest; for float above its rounding. [push]
-static const double still = sizeof(real) == sizeof(double) ? 1e-4 : 5e-2;
-/// Every mode has a larger share of the first energy, so below this all modes have decayed. [1]
-static const double spent = 1e-4;
+static const double rest_motion = sizeof(real) == sizeof(double) ? 1e-4 : 5e-2;
+/// Every mode has a larger share of the start energy, so below this all modes have decayed. [1]
+static const double decayed = 1e-4;
 /// Growth of ln e in the fitted half that counts as zero, and the share of the variance that the line
 /// must explain (R^2): undamped modes beat without growing. [1]
-static const double told = 0.1, line = 0.5;
+static const double growth_min = 0.1, explained_min = 0.5;
 /// Steps of a run in the search for the limit. With damping, the distance of the eigenvalue outside
 /// the unit circle is proportional to the excess of the step (`forward`: gamma h / 100 for each
 /// percent); without damping, to its square root.
@@ -71,11 +71,11 @@ static bool relax(Trial* trial, Fault* fault) {
     const Body* body = &world->balloon[0].body;
     world->step = 0.1;
     world_step(world);
-    double most = 0;
+    double fastest_speed = 0;
     for (int i = 0; i < body->count; i++)
-        most = fmax(most, (double)length(body->v[i]));
+        fastest_speed = fmax(fastest_speed, (double)length(body->v[i]));
     memset(body->v, 0, (size_t)body->count * sizeof *body->v);
-    trial->rested = most * world->step <= still * push_size * body->size;
+    trial->rested = fastest_speed * world->step <= rest_motion * push_size * body->size;
     if (trial->rested || (++trial->done < MAX_RELAX && !world->blowup.halted))
         return true;
     return fault_set(fault, world->def.file, "the balloon does not come to rest");
@@ -227,8 +227,8 @@ static void start(Trial* trial, double h, int steps, double max) {
     trial->h = h;
     trial->steps = steps;
     trial->max = max;
-    trial->made = 0;
-    trial->first = perturbation_energy(trial);
+    trial->steps_done = 0;
+    trial->start_energy = perturbation_energy(trial);
     trial->later = (TrialFit){0};
 }
 
@@ -239,30 +239,30 @@ void trial_start(Trial* trial, double h) {
 /// Step until the energy has grown by the factor `max`, has decayed, or the run ends.
 bool trial_follow(Trial* trial, int steps, Verdict* verdict, double* growth) {
     World* world = &trial->world;
-    const double first = trial->first, h = trial->h;
-    for (int k = 0; k < steps && trial->made < trial->steps; k++) {
+    const double start_energy = trial->start_energy, h = trial->h;
+    for (int k = 0; k < steps && trial->steps_done < trial->steps; k++) {
         world_step(world);
-        const int n = ++trial->made;
+        const int n = ++trial->steps_done;
         if (n % SAMPLE_EVERY && !world->blowup.halted)
             continue;
         const double now = perturbation_energy(trial);
-        const bool grown = world->blowup.halted || !(now < trial->max * first);
-        if (grown || now < spent * first) {
-            *growth = log(fabs(now / first)) / (n * h);
+        const bool grown = world->blowup.halted || !(now < trial->max * start_energy);
+        if (grown || now < decayed * start_energy) {
+            *growth = log(fabs(now / start_energy)) / (n * h);
             *verdict = grown ? VERDICT_EXPLODED : VERDICT_STABLE;
             return true;
         }
         if (n > trial->steps / 2)
-            fit_add(&trial->later, n, log(now / first));
+            fit_add(&trial->later, n, log(now / start_energy));
     }
-    if (trial->made < trial->steps)
+    if (trial->steps_done < trial->steps)
         return false;
     double explained;
     const double slope = fit_slope(&trial->later, &explained);
     *growth = slope / h;
     const int half = trial->steps / 2;
-    const bool grows = slope * half > told && explained > line;
-    *verdict = grows ? VERDICT_WOBBLING : VERDICT_STABLE;
+    const bool grows = slope * half > growth_min && explained > explained_min;
+    *verdict = grows ? VERDICT_MARGINAL : VERDICT_STABLE;
     return true;
 }
 
@@ -280,24 +280,24 @@ Verdict trial_run(Trial* trial, double h, double* growth) {
 
 static bool is_stable(Trial* trial, double h) {
     double growth;
-    start(trial, h, trial->gamma > 0 ? DAMPED_STEPS : UNDAMPED_STEPS, beyond);
+    start(trial, h, trial->gamma > 0 ? DAMPED_STEPS : UNDAMPED_STEPS, search_explosion);
     return follow(trial, &growth) == VERDICT_STABLE;
 }
 
 double trial_limit(Trial* trial) {
-    const double scale = 2 / sqrt(trial->w2), least = scale / 100, most = scale * 100;
-    if (!is_stable(trial, least))
+    const double scale = 2 / sqrt(trial->w2), min = scale / 100, max = scale * 100;
+    if (!is_stable(trial, min))
         return 0;
-    double stable = least, wild = least;
+    double stable = min, unstable = min;
     do {
-        stable = wild;
-        wild = 4 * stable;
-        if (wild > most)
+        stable = unstable;
+        unstable = 4 * stable;
+        if (unstable > max)
             return INFINITY;
-    } while (is_stable(trial, wild));
-    while (wild - stable > trial_precision * stable) {
-        const double middle = (stable + wild) / 2;
-        *(is_stable(trial, middle) ? &stable : &wild) = middle;
+    } while (is_stable(trial, unstable));
+    while (unstable - stable > trial_precision * stable) {
+        const double middle = (stable + unstable) / 2;
+        *(is_stable(trial, middle) ? &stable : &unstable) = middle;
     }
     return stable;
 }

@@ -20,7 +20,7 @@
 
 typedef enum Verdict {
     VERDICT_STABLE,
-    VERDICT_WOBBLING, ///< the fitted growth of the energy is above zero
+    VERDICT_MARGINAL, ///< the fitted growth of the energy is above zero
     VERDICT_EXPLODED, ///< the energy has grown ten times within 2,000 steps, or the state blew up
     VERDICTS
 } Verdict;
@@ -49,11 +49,11 @@ typedef struct Trial {
     int done; ///< steps of relaxation, then rounds of power iteration
 
     // the present run
-    double h;       ///< step [s]
-    double first;   ///< energy of the perturbation at the start [J]
-    double max;     ///< largest energy that is no explosion [first]
-    int steps;      ///< number of steps
-    int made;       ///< steps made
+    double h;            ///< step [s]
+    double start_energy; ///< of the perturbation [J]
+    double max;          ///< largest energy that is no explosion [start_energy]
+    int steps;           ///< number of steps
+    int steps_done;
     TrialFit later; ///< over the second half
 } Trial;
 
