@@ -45,10 +45,11 @@ typedef struct ForceUse {
 typedef struct Method {
     const char* name;
     const char* about;
-    bool implicit;  ///< stable at every step
-    bool iterates;  ///< it has iterations, products and a residual to report
-    bool can_fail;  ///< its kick may return false
-    bool staggered; ///< its velocities belong to half a step before its positions
+    bool implicit;   ///< stable at every step
+    bool iterates;   ///< it has iterations and a residual to report
+    bool multiplies; ///< it has a number of Hessian-vector products to report
+    bool can_fail;   ///< its kick may return false
+    bool staggered;  ///< its velocities belong to half a step before its positions
 
     /// The forces that it supports, up to a row of NULL; a body with another force is refused. NULL:
     /// all, through the force table.

@@ -202,6 +202,7 @@ const Method method_newton = {
     .about = "backward Euler by Newton and conjugate gradients, order 1, any step",
     .implicit = true,
     .iterates = true,
+    .multiplies = true,
     .can_fail = true,
     .open = open,
     .close = close,

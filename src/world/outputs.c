@@ -177,6 +177,7 @@ static bool elastic_skin(BALLOON) { return b->def->skin.springs || b->def->skin.
 static bool thick(BALLOON) { return b->def->skin.membrane != NULL; }
 static bool gassy(BALLOON) { return b->body.inflation.law == INFLATE_GAS; }
 static bool iterated(BALLOON) { return b->method->iterates; }
+static bool multiplied(BALLOON) { return b->method->multiplies; }
 #undef BALLOON
 
 const char* const output_prefix[OUTPUT_KINDS] = {
@@ -216,8 +217,8 @@ const Output output_table[] = {
     {"rubber_worst", "1", "that ratio of the element which is farthest from 1", Q(thick, rubber_worst)},
     {"amount", "1", "amount of gas, in units of the scene's", Q(gassy, amount)},
     {"iterations", "1", "iterations of the last solve", Q(iterated, iterations)},
-    {"products", "1", "Hessian-vector products of the last solve", Q(iterated, products)},
-    {"residual", "1", "relative residual of the last solve", Q(iterated, residual)},
+    {"products", "1", "Hessian-vector products of the last solve", Q(multiplied, products)},
+    {"residual", "1", "relative residual of the last solve; xpbd: as last measured, 0 unless the guard splits", Q(iterated, residual)},
     {"tension", "N", "tension of a string", OF_STRING, .value = tension},
     {"x", "m", "position of a ball's center, x", OF_SPHERE, .value = x},
     {"y", "m", "position of a ball's center, y", OF_SPHERE, .value = y},
