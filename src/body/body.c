@@ -9,12 +9,12 @@
 #include "base/vectors.h"
 #include "mesh/measure.h"
 
-void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass) {
+void body_make(Body* body, const Mesh* mesh, const Placement* placement, double mass) {
     const int count = mesh->point_count;
     *body = (Body){
         .mesh = mesh,
         .count = count,
-        .scale = place->scale,
+        .scale = placement->scale,
         .x = new_array(real4, count),
         .v = new_array(real4, count),
         .f = new_array(real4, count),
@@ -22,13 +22,13 @@ void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass
         .inverse_mass = new_array(real, count),
     };
 
-    const double angle = place->turn * (PI / 180);
+    const double angle = placement->rotation * (PI / 180);
     const double c = cos(angle), s = sin(angle);
     double4 low = {INFINITY, INFINITY, INFINITY, 0}, high = -low;
     for (int i = 0; i < count; i++) {
-        const double4 p = place->scale * (mesh->point[i] - place->center);
+        const double4 p = placement->scale * (mesh->point[i] - placement->center);
         const double4 turned = {c * p[0] + s * p[2], p[1], c * p[2] - s * p[0], 0};
-        const double4 x = place->position + turned;
+        const double4 x = placement->position + turned;
         body->x[i] = to_real4(x);
         body->mass[i] = (real)mass;
         body->inverse_mass[i] = (real)(1 / mass);

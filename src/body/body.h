@@ -56,12 +56,12 @@ typedef struct Body {
 typedef struct Placement {
     double4 center;
     double scale;
-    double turn; ///< [degrees] about y
+    double rotation; ///< [degrees] about y
     double4 position;
 } Placement;
 
 /// Particles of equal mass [kg] at the placed points of the mesh, at rest, with no forces.
-void body_make(Body* body, const Mesh* mesh, const Placement* place, double mass);
+void body_make(Body* body, const Mesh* mesh, const Placement* placement, double mass);
 
 /// Give the body springs, with rest lengths from the present positions.
 /// stiffness: of each kind [N/m], 0 for kinds that do not exist.

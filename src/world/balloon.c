@@ -29,7 +29,7 @@ static void set_color(Balloon* balloon, int number) {
 /// Where the def has a size, fit the model to it and center it; then scale it.
 static void place_body(Balloon* balloon) {
     const BalloonDef* def = balloon->def;
-    Placement placement = {.scale = def->scale, .turn = def->rotation};
+    Placement placement = {.scale = def->scale, .rotation = def->rotation};
     if (def->size > 0) {
         double4 low = {INFINITY, INFINITY, INFINITY, 0}, high = -low;
         for (int i = 0; i < balloon->mesh.point_count; i++)
