@@ -56,11 +56,12 @@ is_left_out() {
         */test_scenes | tests/cli/test_chart.sh | tests/cli/test_stability.sh) ;;
         *) return 1 ;;
     esac
+    echo "left out $1: SHORT" | tee -a "$logs/left_out" >&2
 }
 
 shopt -s nullglob
 {
-    # the longest first, so that none is left alone at the end
+    # the longest first, so that none runs alone at the end
     for script in tests/window/*"$word"*.sh tests/cli/*"$word"*.sh; do
         is_left_out "$script" || echo "$script bash $script $build"
     done
@@ -70,12 +71,12 @@ shopt -s nullglob
             is_left_out "$precision/$name" || echo "$precision/$name $build/$precision/tests/$name"
         done
     done
-} | xargs -P "${JOBS:-2}" -L 1 bash -c 'one "$@"' _
+} | xargs -r -P "${JOBS:-2}" -L 1 bash -c 'one "$@"' _
 
-echo "the longest, in CPU seconds of $(cat "$logs"/*.sum | awk '{ s += $3 } END { printf "%.0f", s }'):"
-sort -k3,3nr "$logs"/*.sum | head -8 | awk '{ printf "  %6.1f  %s\n", $3, $4 }'
-read -r passed failed < <(cat "$logs"/*.sum | awk '{p += $1; f += $2} END {print p + 0, f + 0}')
-if [ "$passed" = 0 ] && [ "$failed" = 0 ]; then
+echo "the longest, in CPU seconds of $(cat /dev/null "$logs"/*.sum | awk '{ s += $3 } END { printf "%.0f", s }'):"
+sort -k3,3nr /dev/null "$logs"/*.sum | head -8 | awk '{ printf "  %6.1f  %s\n", $3, $4 }'
+read -r passed failed < <(cat /dev/null "$logs"/*.sum | awk '{p += $1; f += $2} END {print p + 0, f + 0}')
+if [ "$passed" = 0 ] && [ "$failed" = 0 ] && [ ! -e "$logs/left_out" ]; then
     echo "no test has '$word' in its name"
     failed=1
 fi
