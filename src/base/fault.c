@@ -12,10 +12,10 @@ static bool fill(Fault* fault, const char* format, va_list arguments) {
     return false;
 }
 
-bool fault_set(Fault* fault, const char* place, const char* format, ...) {
+bool fault_set(Fault* fault, const char* location, const char* format, ...) {
     if (fault->text[0])
         return false;
-    snprintf(fault->place, sizeof fault->place, "%s", place ? place : "");
+    snprintf(fault->location, sizeof fault->location, "%s", location ? location : "");
 
     va_list arguments;
     va_start(arguments, format);
@@ -27,7 +27,7 @@ bool fault_set(Fault* fault, const char* place, const char* format, ...) {
 bool fault_at(Fault* fault, const char* file, long line, const char* format, ...) {
     if (fault->text[0])
         return false;
-    snprintf(fault->place, sizeof fault->place, "%s:%ld", file, line);
+    snprintf(fault->location, sizeof fault->location, "%s:%ld", file, line);
 
     va_list arguments;
     va_start(arguments, format);
@@ -37,5 +37,5 @@ bool fault_at(Fault* fault, const char* file, long line, const char* format, ...
 }
 
 void fault_print(const Fault* fault, FILE* out) {
-    fprintf(out, "balloon: %s%s%s\n", fault->place, fault->place[0] ? ": " : "", fault->text);
+    fprintf(out, "balloon: %s%s%s\n", fault->location, fault->location[0] ? ": " : "", fault->text);
 }

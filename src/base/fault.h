@@ -15,20 +15,20 @@ extern "C" {
 #endif
 
 typedef struct Fault {
-    char place[512]; ///< "squirrel.obj:12", or what the user typed; "" where there is none
-    char text[1024]; ///< what is wrong and what to do, without a full stop
+    char location[512]; ///< "squirrel.obj:12", or what the user typed; "" where there is none
+    char text[1024];    ///< what is wrong and what to do, without a full stop
 } Fault;
 
 /// Fill the fault and return false, so that `return fault_set(…)` ends a function that failed.
-/// `place` may be NULL. A fault that is already set is kept: the first one is the cause.
-bool fault_set(Fault* fault, const char* place, const char* format, ...)
+/// `location` may be NULL. A fault that is already set is kept: the first one is the cause.
+bool fault_set(Fault* fault, const char* location, const char* format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/// The same with a line number: the place becomes "file:line".
+/// The same with a line number: the location becomes "file:line".
 bool fault_at(Fault* fault, const char* file, long line, const char* format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/// Print "balloon: place: text" as one line.
+/// Print "balloon: location: text" as one line.
 void fault_print(const Fault* fault, FILE* out);
 
 #ifdef __cplusplus

@@ -46,7 +46,7 @@ static bool receive(MeshSource* source, const char* path, int pipe_end, Fault* f
     if (!*complete)
         return false;
     if (!message.good)
-        return fault_set(fault, message.fault.place, "%s", message.fault.text);
+        return fault_set(fault, message.fault.location, "%s", message.fault.text);
     source_make(source, path, message.point_count, message.face_count);
     *complete =
         child_receive(pipe_end, source->point,

@@ -197,7 +197,7 @@ static int make_value(const Put* put, const char* text) {
     return 0;
 }
 
-enum { LOCATION_SIZE = sizeof((Fault*)0)->place };
+enum { LOCATION_SIZE = sizeof((Fault*)0)->location };
 
 static void location_of(const SceneTree* tree, int index, char location[LOCATION_SIZE]) {
     snprintf(location, LOCATION_SIZE, "--set %s", tree->set[index].text);

@@ -117,12 +117,12 @@ static bool loads(const char* name, const SceneSet* set, int set_count) {
 void scene_blame(const char* name, const SceneSet* set, int set_count,
                  bool (*opens)(const char* name, const SceneSet* set, int set_count),
                  Fault* fault) {
-    if (strncmp(fault->place, "--set ", 6) == 0 || !opens(name, set, 0))
+    if (strncmp(fault->location, "--set ", 6) == 0 || !opens(name, set, 0))
         return;
     int first = 1;
     while (first < set_count && opens(name, set, first))
         first++;
-    snprintf(fault->place, sizeof fault->place, "--set %s", set[first - 1].text);
+    snprintf(fault->location, sizeof fault->location, "--set %s", set[first - 1].text);
 }
 
 bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault) {

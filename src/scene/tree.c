@@ -33,7 +33,7 @@ static size_t deep_line(const char* text, size_t size) {
 // A fault with the location of a line, which may be an override's.
 static bool line_fault(const SceneTree* tree, size_t line, Fault* fault, const char* sentence) {
     if (line >= TREE_SET_LINE) {
-        char location[sizeof fault->place];
+        char location[sizeof fault->location];
         snprintf(location, sizeof location, "--set %s", tree->set[line - TREE_SET_LINE].text);
         return fault_set(fault, location, "%s", sentence);
     }

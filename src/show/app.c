@@ -83,7 +83,7 @@ static void open_ghost(App* app, const char* path, const SceneSet* set, int set_
     const bool good = scene_load(path, all, set_count + 1, &def, &fault) &&
                       world_open(&ghost->world, &def, &fault);
     if (!good)
-        app_say(app, "%s: %s", fault.place, fault.text);
+        app_say(app, "%s: %s", fault.location, fault.text);
     session_compare(&app->session, good ? ghost : NULL);
 }
 
@@ -119,7 +119,7 @@ void app_next_scene(App* app, int direction) {
     Fault fault = {0};
     if (count > 0 &&
         !app_open_scene(app, path[(from + direction + count) % count], NULL, 0, NULL, &fault)) {
-        app_say(app, "%s: %s", fault.place, fault.text);
+        app_say(app, "%s: %s", fault.location, fault.text);
     } else {
         app->set_count = app->notch = 0;
         if (app->options->advice) // it is of the scene that was left
@@ -168,7 +168,7 @@ void app_screenshot(App* app) {
     if (png_write_rgb(file, rgb, app->width, app->height, &fault))
         app_say(app, "%s", file);
     else
-        app_say(app, "%s: %s", fault.place, fault.text);
+        app_say(app, "%s: %s", fault.location, fault.text);
     free(rgb);
 }
 

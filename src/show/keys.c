@@ -51,7 +51,7 @@ static void throw_ball(App* app) {
     if (!thrower_throw(&app->thrower, app->world, &app->camera, aspect, app->pointer, thrown))
         app_say(app, "there is no room for a ball here");
     else if (!session_throw(&app->session, thrown, &fault))
-        app_say(app, "%s: %s", fault.place, fault.text);
+        app_say(app, "%s: %s", fault.location, fault.text);
 }
 
 static void next_mass(App* app) {

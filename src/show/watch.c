@@ -21,7 +21,7 @@ static bool reload_scene(App* app, const SceneSet* set, int count, const char* h
     Fault fault = {0};
     snprintf(file, sizeof file, "%s", app->world->def.file);
     if (!app_open_scene(app, file, set, count, how, &fault)) {
-        app_say(app, "%s: %s", fault.place, fault.text);
+        app_say(app, "%s: %s", fault.location, fault.text);
         return false;
     }
     app->camera = camera;
@@ -109,7 +109,7 @@ void app_select_notch(App* app, int notch) {
     if (notch == app->notch)
         return;
     if (!notch_overrides(app, notch, &sets, &fault)) {
-        app_say(app, "%s: %s", fault.place, fault.text);
+        app_say(app, "%s: %s", fault.location, fault.text);
         return;
     }
     if (!reload_with(app, &sets))

@@ -15,7 +15,7 @@ static inline MeshReport load(const char* name, Mesh* mesh) {
     MeshReport report;
     Fault fault = {0};
     if (!mesh_load(name, mesh, &report, &fault))
-        fail_msg("%s: %s", fault.place, fault.text);
+        fail_msg("%s: %s", fault.location, fault.text);
     return report;
 }
 
@@ -55,7 +55,7 @@ static inline MeshReport load_good(const char* text, Mesh* mesh) {
     MeshReport report;
     Fault fault = {0};
     if (!load_text(text, mesh, &report, &fault))
-        fail_msg("%s: %s", fault.place, fault.text);
+        fail_msg("%s: %s", fault.location, fault.text);
     return report;
 }
 
@@ -66,9 +66,10 @@ static inline void refuse_text(const char* text, const char* place, const char* 
     Fault fault = {0};
     if (load_text(text, &mesh, &report, &fault))
         fail_msg("this was loaded, want it refused: %s", text);
-    const char* slash = strrchr(fault.place, '/');
+    const char* slash = strrchr(fault.location, '/');
     if (!slash || strcmp(slash + 1, place) != 0 || !strstr(fault.text, words))
-        fail_msg("got \"%s: %s\", want place %s and \"%s\"", fault.place, fault.text, place, words);
+        fail_msg("got \"%s: %s\", want place %s and \"%s\"", fault.location, fault.text, place,
+                 words);
     mesh_free(&mesh);
 }
 

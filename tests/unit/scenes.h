@@ -131,19 +131,19 @@ static inline bool load(const char* text, const char* const* set, WorldDef* def,
 static inline void must_load(const char* text, const char* const* set, WorldDef* def) {
     Fault fault;
     if (!load(text, set, def, &fault))
-        fail_msg("%s: %s", fault.place, fault.text);
+        fail_msg("%s: %s", fault.location, fault.text);
 }
 
-// The fault must be at this place and its sentence must hold these words.
-static inline void must_refuse(const char* text, const char* const* set, const char* place,
+// The fault must be at this location and its sentence must hold these words.
+static inline void must_refuse(const char* text, const char* const* set, const char* location,
                                const char* words) {
     WorldDef def;
     Fault fault;
     if (load(text, set, &def, &fault))
         fail_msg("this was taken, and not refused with '%s':\n%s", words, text);
-    if (strcmp(fault.place, place) != 0 || !strstr(fault.text, words))
-        fail_msg("got  %s: %s\nwant %s: … %s …\nof\n%s", fault.place, fault.text, place, words,
-                 text);
+    if (strcmp(fault.location, location) != 0 || !strstr(fault.text, words))
+        fail_msg("got  %s: %s\nwant %s: … %s …\nof\n%s", fault.location, fault.text, location,
+                 words, text);
     assert_null(strchr(fault.text, '\n'));
     assert_null(def.pool.newest);
 }

@@ -19,7 +19,7 @@ static Launch shell(const char* script) {
 static void run(Launch* launch) {
     Fault fault = {0};
     if (!launch_all(launch, 1, 1, NULL, &fault))
-        fail_msg("%s: %s", fault.place, fault.text);
+        fail_msg("%s: %s", fault.location, fault.text);
 }
 
 static void output_and_status_are_those_of_the_program(void** state) {

@@ -239,7 +239,7 @@ static void bad_files_are_refused(void** state) {
         Fault fault = {0};
         MeshReport report;
         assert_false(mesh_load(file.path, &mesh, &report, &fault));
-        assert_string_equal(fault.place, file.path);
+        assert_string_equal(fault.location, file.path);
         if (!strstr(fault.text, cases[i][2]))
             fail_msg("%s: got \"%s\", want \"%s\"", cases[i][0], fault.text, cases[i][2]);
         remove_file(&file);
@@ -329,7 +329,7 @@ static void hostile_files_are_refused(void** state) {
         MeshReport report;
         Fault fault = {0};
         assert_false(mesh_load(file.path, &mesh, &report, &fault));
-        assert_string_equal(fault.place, file.path);
+        assert_string_equal(fault.location, file.path);
         assert_true(fault.text[0] != '\0');
         unlink(path);
         remove_file(&file);

@@ -153,7 +153,7 @@ static void refuse_path(const char* path, const char* words) {
     MeshReport report;
     Fault fault = {0};
     assert_false(mesh_load(path, &mesh, &report, &fault));
-    assert_string_equal(fault.place, path);
+    assert_string_equal(fault.location, path);
     if (!strstr(fault.text, words))
         fail_msg("%s: got \"%s\", want \"%s\"", path, fault.text, words);
 }
@@ -255,7 +255,7 @@ static void long_continued_lines_are_read(void** state) {
     MeshReport report;
     Fault fault = {0};
     assert_false(load_text(text, &mesh, &report, &fault));
-    assert_non_null(strstr(fault.place, "mesh.obj:1000005"));
+    assert_non_null(strstr(fault.location, "mesh.obj:1000005"));
     free(text);
 }
 
@@ -284,7 +284,7 @@ static void pentagons_among_quads_are_refused(void** state) {
     MeshReport report;
     Fault fault = {0};
     assert_false(mesh_load(path, &mesh, &report, &fault));
-    assert_non_null(strstr(fault.place, "spot_control_mixed.obj:492"));
+    assert_non_null(strstr(fault.location, "spot_control_mixed.obj:492"));
     assert_non_null(strstr(fault.text, "face 37 has 5 corners"));
 }
 

@@ -159,7 +159,7 @@ static void wrong_numbers_are_refused(void** state) {
         Fault fault = {0};
         if (mesh_load(wrong[i], &mesh, &report, &fault))
             fail_msg("%s was made", wrong[i]);
-        assert_string_equal(fault.place, wrong[i]);
+        assert_string_equal(fault.location, wrong[i]);
         assert_non_null(strstr(fault.text, " from "));
     }
 }

@@ -61,7 +61,7 @@ static void a_picture_that_cannot_be_written_is_a_fault(void** state) {
     Fault fault = {0};
     in_folder("none/a.png", file);
     assert_false(png_write_rgb(file, rgb, WIDTH, HEIGHT, &fault));
-    assert_string_equal(fault.place, file);
+    assert_string_equal(fault.location, file);
     assert_true(fault.text[0] != 0);
 }
 
@@ -88,7 +88,7 @@ static void every_format_makes_a_video(void** state) {
         }
         good = good && video_close(&video, true, &fault);
         if (!good)
-            fail_msg("%s: %s", fault.place, fault.text);
+            fail_msg("%s: %s", fault.location, fault.text);
         assert_true(exists(file));
         unlink(file);
     }

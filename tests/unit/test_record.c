@@ -44,7 +44,7 @@ static bool load(const char* text, size_t size, Record* record, Fault* fault) {
 static void must_load(const char* text, Record* record) {
     Fault fault;
     if (!load(text, strlen(text), record, &fault))
-        fail_msg("%s: %s", fault.place, fault.text);
+        fail_msg("%s: %s", fault.location, fault.text);
 }
 
 static Event event(long step, EventKind kind, const char* name, const char* value) {
@@ -153,14 +153,15 @@ static void what_is_wrong_is_said_with_its_line(void** state) {
     (void)state;
     for (size_t i = 0; i < sizeof wrong_table / sizeof wrong_table[0]; i++) {
         const Wrong* wrong = &wrong_table[i];
-        char place[96];
-        snprintf(place, sizeof place, "%s:%d", file, wrong->line);
+        char location[96];
+        snprintf(location, sizeof location, "%s:%d", file, wrong->line);
         Record record;
         Fault fault;
         if (load(wrong->text, strlen(wrong->text), &record, &fault))
             fail_msg("this was taken:\n%s", wrong->text);
-        if (strcmp(fault.place, place) != 0 || !strstr(fault.text, wrong->words))
-            fail_msg("got  %s: %s\nwant %s: … %s …", fault.place, fault.text, place, wrong->words);
+        if (strcmp(fault.location, location) != 0 || !strstr(fault.text, wrong->words))
+            fail_msg("got  %s: %s\nwant %s: … %s …", fault.location, fault.text, location,
+                     wrong->words);
         assert_null(record.event);
     }
 }
@@ -178,7 +179,7 @@ static void files_that_are_no_logs_are_refused(void** state) {
 
     fault = (Fault){0};
     assert_false(record_load(folder, &record, &fault));
-    assert_string_equal(fault.place, folder);
+    assert_string_equal(fault.location, folder);
     assert_string_equal(fault.text, "it is a folder; name a file in it");
 
     fault = (Fault){0};

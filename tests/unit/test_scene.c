@@ -236,7 +236,7 @@ static void a_model_is_found_beside_its_scene(void** state) {
     assert_true(scene_model_path(&def, "cube", path, &fault));
     assert_string_equal(path, "cube");
     assert_false(scene_model_path(&def, "none.obj", path, &fault));
-    assert_string_equal(fault.place, scene);
+    assert_string_equal(fault.location, scene);
     assert_non_null(strstr(fault.text, "no model 'none.obj'; it is not beside the scene, in "
                                        "assets/models or in the working folder"));
     scene_free(&def);
@@ -254,7 +254,7 @@ static void every_shipped_scene_is_found_by_its_name(void** state) {
         WorldDef def;
         Fault fault = {0};
         if (!scene_load(name, NULL, 0, &def, &fault))
-            fail_msg("%s: %s", fault.place, fault.text);
+            fail_msg("%s: %s", fault.location, fault.text);
         assert_string_equal(def.file, path[i]);
         scene_free(&def);
     }
@@ -271,7 +271,7 @@ static void a_name_that_is_nothing_is_told_what_there_is(void** state) {
         WorldDef def;
         Fault fault = {0};
         assert_false(scene_load(name[i], NULL, 0, &def, &fault));
-        assert_string_equal(fault.place, name[i]);
+        assert_string_equal(fault.location, name[i]);
         assert_non_null(strstr(fault.text, "there is no such scene or mesh, here or in "
                                            "assets/scenes and assets/models; scenes are "));
         assert_non_null(strstr(fault.text, shape_table[0].name));

@@ -20,7 +20,7 @@ static char* text_of(const char* text, const char* set) {
     write_bytes(scene, text, strlen(text));
     char* read = scene_text(scene, &(SceneSet){set}, set ? 1 : 0, false, &fault);
     if (!read)
-        fail_msg("%s: %s", fault.place, fault.text);
+        fail_msg("%s: %s", fault.location, fault.text);
     return read;
 }
 

@@ -173,7 +173,7 @@ static void files_that_are_no_scenes_are_refused(void** state) {
     assert_int_equal(mkdir(scene, 0700), 0);
     assert_false(scene_load(scene, NULL, 0, &def, &fault));
     rmdir(scene);
-    assert_string_equal(fault.place, scene);
+    assert_string_equal(fault.location, scene);
     assert_string_equal(fault.text, "it is a folder; name a file in it");
 
     fault = (Fault){0};
@@ -194,7 +194,7 @@ static void a_file_that_may_not_be_read_is_refused(void** state) {
     const bool good = scene_load(scene, NULL, 0, &def, &fault);
     chmod(scene, 0600);
     assert_false(good);
-    assert_string_equal(fault.place, scene);
+    assert_string_equal(fault.location, scene);
     assert_string_equal(fault.text, "it cannot be opened: Permission denied");
 }
 
@@ -254,7 +254,7 @@ static void a_mutated_scene_is_loaded_or_refused_in_one_sentence(void** state) {
             scene_free(&def);
         } else {
             assert_true(fault.text[0] && !strchr(fault.text, '\n'));
-            assert_int_equal(strncmp(fault.place, scene, strlen(scene)), 0);
+            assert_int_equal(strncmp(fault.location, scene, strlen(scene)), 0);
         }
     }
 }

@@ -22,7 +22,7 @@ static void a_missing_shader_is_named(void** state) {
     (void)state;
     Fault fault = {0};
     assert_int_equal(shader_load("no/such/folder", "floor.vert", "floor.frag", &fault), 0);
-    assert_non_null(strstr(fault.place, "no/such/folder/frame.glsl"));
+    assert_non_null(strstr(fault.location, "no/such/folder/frame.glsl"));
     assert_true(strlen(fault.text) > 0);
 }
 
@@ -47,8 +47,8 @@ static void a_broken_shader_is_named_with_its_line(void** state) {
 
     assert_int_equal(program, 0);
     snprintf(place, sizeof place, "%s/floor.frag:", folder);
-    assert_memory_equal(fault.place, place, strlen(place));
-    const int line = atoi(fault.place + strlen(place));
+    assert_memory_equal(fault.location, place, strlen(place));
+    const int line = atoi(fault.location + strlen(place));
     assert_in_range(line, 3, 4); // the compiler may see it only at the end
 }
 
