@@ -1,11 +1,11 @@
 /// A scene file as plain data: YAML, y up, SI units or the mass-spring paper's own.
 ///
 /// The structs below are the scene format: one field, one key, one row of keys.c or keys_balloon.c.
-/// A scene names only what it needs; what it does not name is neither computed nor stored, and
-/// stands here as a NULL pointer, an empty list, or the row's default, which is 0 unless said here.
-/// Where 0 would be a value of its own, the field is a pointer and NULL says "not given".
+/// A scene names only what it needs. A part without a key is neither computed nor stored: its field
+/// is a NULL pointer, an empty list, or the row's default, 0 unless a field states another.
+/// Where 0 is a meaningful value, the field is a pointer, and NULL means that the key is absent.
 /// Keys that a scene must have are marked "required"; lists of numbers have exactly the length
-/// given.
+/// in brackets.
 ///
 ///     title: The squirrel turns upside down
 ///     units: paper
@@ -46,11 +46,11 @@ typedef struct SpringsDef {
     SpringLaw law;
 } SpringsDef;
 
-/// `patches:` a part of the skin with a thickness of its own, going over into the rest smoothly.
+/// `patches:` a round part of the skin; its thickness changes smoothly into that around it.
 typedef struct PatchDef {
-    double* at;       ///< [3] its middle, in the world at rest, required
-    double radius;    ///< to where it reaches [m] required
-    double thickness; ///< in its middle [m] required
+    double* at;       ///< [3] its center, in the world at rest, required
+    double radius;    ///< of the patch [m] required
+    double thickness; ///< at its center [m] required
 } PatchDef;
 
 /// `membrane:` a skin of rubber with thickness (body/membrane.h).
@@ -65,7 +65,7 @@ typedef struct MembraneDef {
     unsigned patches_count;
 } MembraneDef;
 
-/// `skin:` what holds the particles together, one of the two; NULL members are absent.
+/// `skin:` one of the two, or neither; the other is NULL.
 typedef struct SkinDef {
     SpringsDef* springs;
     MembraneDef* membrane;
@@ -75,7 +75,7 @@ typedef struct MassDef {
     double per_particle; ///< [kg] required
 } MassDef;
 
-/// `fill:` the amount goes in a straight line to `to` between start and start + seconds.
+/// `fill:` the amount changes linearly to `to` between start and start + seconds.
 typedef struct FillDef {
     double to;      ///< in units of amount, required
     double start;   ///< [s]
@@ -84,16 +84,17 @@ typedef struct FillDef {
 
 typedef struct InflationDef {
     InflationLaw law; ///< required
-    double amount; ///< area: k_normal; pressure: [Pa] gauge; gas: parts of what fills V0 at `unit`
+    double amount; ///< area: k_normal; pressure: [Pa] gauge; gas: in units of the gas that fills V0
+                   ///< at `unit`
     double rate;   ///< amount per second while the key is held; 0: a tenth of the range
-    double min;    ///< the keys stop here
-    double max;    ///< and here; 0: ten times the amount, or 100 where that is not above 0
+    double min;    ///< the smallest amount that keys set
+    double max;    ///< the largest; 0: ten times the amount, or 100 where that is not above 0
     double* ambient;     ///< gas: pressure outside [Pa]; NULL: 101325
     double* unit;        ///< gas: pressure of amount 1 in V0 [Pa]; NULL: ambient's, or
                          ///< 101325 where that is 0
     double* temperature; ///< gas: [K]; NULL: 293.15, at which amount is counted
-    bool adiabatic;      ///< gas: no heat goes through the skin
-    char* filling;       ///< gas: air or helium, which then has weight and is lifted; NULL: neither
+    bool adiabatic;      ///< gas: no heat passes through the skin
+    char* filling;       ///< gas: air or helium, with its weight and buoyancy; NULL: no weight
     double leak;         ///< gas: amount lost per second and pascal of gauge pressure [1/(s Pa)]
     double vent;         ///< gas: the same through the valve while the deflate key is held;
                          ///< 0: rate per 1000 Pa
@@ -108,35 +109,35 @@ typedef struct StringDef {
     double slack;     ///< free length as a ratio of the first length; default 1
 } StringDef;
 
-/// Thresholds: how far over its rest length a spring may stretch, as a ratio; 0: not corrected.
+/// Thresholds: largest strain of a spring [1]; 0: not limited.
 typedef struct StrainLimitDef {
     double structural;
     double shear;
     double flexion;
-    bool tarantino; ///< a spring that was corrected exerts no force in the next step
-    bool phantom;   ///< velocities are left as they were before
+    bool tarantino; ///< a corrected spring exerts no force in the next step
+    bool phantom;   ///< the correction does not change velocities
 } StrainLimitDef;
 
 typedef struct BalloonDef {
     char* model;      ///< a shape, or an .obj beside the scene or in assets/models; required
     double* position; ///< [3] added to the model's points; NULL: the origin
-    double size;      ///< first the model is centred on the origin and its longest side scaled to
-                      ///< this length; 0: it stays where and as it is
+    double size;      ///< the model is centered on the origin, and its longest side scaled to
+                      ///< this length; 0: neither
     double scale;     ///< factor on the model's points; default 1
     double rotation;  ///< [degrees] about y, before the position is added
     double* color;    ///< [3] sRGB, 0…1; NULL: the next of the palette
     SkinDef skin;
-    MassDef* mass; ///< required, but for a membrane, which has its rubber's
-    bool hold_rim; ///< the points of an open mesh's rim do not move
+    MassDef* mass; ///< required for springs; a membrane has its rubber's
+    bool hold_rim; ///< the points on the rim of an open mesh are fixed
     InflationDef* inflation;
-    double* force[FORCES_MAX]; ///< parameters of each row of the table of forces that has some, as
-                               ///< the key of its name gives them [FORCE_PARAMETERS_MAX]
+    double* force[FORCES_MAX]; ///< [FORCE_PARAMETERS_MAX] parameters of each row of the table of
+                               ///< forces; NULL: the scene lacks the key of its name
     StrainLimitDef* strain_limit;
     StringDef* strings;
     unsigned strings_count;
 } BalloonDef;
 
-/// `spheres:` balls that are there from the start.
+/// `spheres:` balls that exist from the start.
 typedef struct SphereDef {
     double* position;   ///< [3] required
     double* velocity;   ///< [3] NULL: at rest
@@ -149,7 +150,7 @@ typedef struct SphereDef {
 /// `walls:` half-spaces beside the floor.
 typedef struct WallDef {
     double* at;     ///< [3] a point of the wall, required
-    double* normal; ///< [3] to the side where things are, of any length, required
+    double* normal; ///< [3] into the free half-space, of any length, required
 } WallDef;
 
 /// `pipes:` gas flows from the higher pressure to the lower.
@@ -160,50 +161,50 @@ typedef struct PipeDef {
     double start;       ///< when it is opened [s]
 } PipeDef;
 
-/// `solver:` how a method solves its steps (solve/method.h); 0: its own choice.
+/// `solver:` how a method solves its steps (solve/method.h); 0: the method's default.
 typedef struct SolverDef {
     double iterations;
     double tolerance;
     double linear_tolerance;
-    bool fixed; ///< make all iterations, whatever is left
+    bool fixed; ///< make all iterations, whatever the residual
     StepStart start;
     bool in_place;      ///< euler moves each particle before the next one's force is computed
     bool paper_tangent; ///< the gas's stiffness is the thin-shell paper's, a third of the right one
 } SolverDef;
 
-/// `about:` what the scene is about, so that one can say what it may leave out: outputs, or one
-/// item `none:` that says why nothing of it can be held to a number.
+/// `about:` the outputs that a scene is made for; `balloon needs` finds the parts that they depend
+/// on. Or one item `none:` with the reason why the scene has no such output.
 typedef struct AboutDef {
     char* output;     ///< a CSV column
     double at;        ///< [s]
     double tolerance; ///< relative, of the output's size; required with it
-    char* none;       ///< the reason, and then there is nothing else
+    char* none;       ///< the reason; then the other members are absent
 } AboutDef;
 
-/// `because:` why a part stays that the scene's outputs do not need (lab/advice/needs.h).
+/// `because:` why the scene keeps a part that its outputs do not depend on (lab/advice/needs.h).
 typedef struct BecauseDef {
     char* part;   ///< a part's name in `balloon needs`, required
     char* reason; ///< required
 } BecauseDef;
 
-/// `fails:` what goes wrong in a scene of the museum of failures, and what cures it: the state goes
-/// bad and is caught, or a measured number is on the wrong side of a limit. Tests hold every scene
-/// of assets/scenes/fails to both (world/fails.h).
+/// `fails:` how a scene of the museum of failures fails, and overrides that prevent it: the world
+/// halts at a bad state, or an output is on the wrong side of a limit. Tests check both for every
+/// scene of assets/scenes/fails (world/fails.h).
 typedef struct FailsDef {
-    double at;     ///< by when [s] required
-    bool halts;    ///< the state goes bad; else
-    char* output;  ///< this CSV column is
-    double* above; ///< above this
-    double* below; ///< or below this,
-    double* truth; ///< where this would be right
-    char** cure;   ///< overrides, KEY=VALUE, with which it does not fail; NULL: there is none
+    double at;     ///< latest time of the failure [s] required
+    bool halts;    ///< the world halts at a bad state; otherwise output is required
+    char* output;  ///< a CSV column
+    double* above; ///< it fails where the output is above this
+    double* below; ///< or below this
+    double* truth; ///< the right value of the output
+    char** cure;   ///< overrides, KEY=VALUE, with which it does not fail; NULL: none is known
     unsigned cure_count;
 } FailsDef;
 
-/// `camera:` where the eye is; a scene without one is framed as a whole.
+/// `camera:` without one, the picture shows the whole scene.
 typedef struct CameraDef {
     double* eye;  ///< [3] required
-    double* look; ///< [3] what it looks at, required
+    double* look; ///< [3] the point in the middle of the picture, required
 } CameraDef;
 
 typedef struct WorldDef {
@@ -216,7 +217,7 @@ typedef struct WorldDef {
     Precision precision;
     char* method; ///< a row of the method table; NULL: its first
     SolverDef solver;
-    char* show;             ///< the display mode to begin with; NULL: skin
+    char* show;             ///< the first display mode; NULL: skin
     double sleep_threshold; ///< a balloon sleeps below this speed over its size; 0: never [1/s]
     double seconds;         ///< [s] how long headless runs last without --seconds; default 10
     CameraDef* camera;
@@ -224,8 +225,8 @@ typedef struct WorldDef {
     unsigned about_count;
     BecauseDef* because;
     unsigned because_count;
-    FailsDef* fails;    ///< NULL: it does not
-    ContactLaw contact; ///< what balls and skins do to each other
+    FailsDef* fails;    ///< NULL: the scene does not fail
+    ContactLaw contact; ///< of balls with skins
     SphereDef* spheres;
     unsigned spheres_count;
     WallDef* walls;
@@ -235,7 +236,7 @@ typedef struct WorldDef {
     BalloonDef* balloons; ///< at least one, required
     unsigned balloons_count;
 
-    char file[512];    ///< where it came from, for messages and for models beside it
+    char file[512];    ///< path of the scene file, for messages and for models beside it
     char renamed[256]; ///< keys by earlier names: "turn is now rotation, …"; "": none
     Pool pool;         ///< memory of all pointers above; scene_free() frees it
 } WorldDef;
@@ -249,21 +250,21 @@ typedef struct SceneSet {
 } SceneSet;
 
 /// Load `name`: a scene by its name in assets/scenes or its path, or a mesh (shape or .obj), which
-/// gets default springs and a string to the floor. Overrides are applied before anything is judged.
+/// gets default springs and a string to the floor. Overrides are applied before any check.
 /// Unknown keys, wrong types, unknown names and numbers out of range are faults with file and line,
-/// or with the override that brought them in.
+/// or with the override that contains them.
 bool scene_load(const char* name, const SceneSet* set, int set_count, WorldDef* def, Fault* fault);
 
-/// One sentence on stderr where a scene has keys by earlier names, which are read all the same.
+/// Print one sentence on stderr where a scene has keys by earlier names, which are still read.
 void scene_say_renamed(const WorldDef* def);
 
-/// The scene with its overrides as YAML again, for people or with nothing left to guess: scalars in
-/// quotes. The caller frees it; NULL with a fault where scene_load has one.
+/// The scene with its overrides as YAML: for people, or unambiguous with all scalars in quotes. The
+/// caller frees it; NULL with a fault where scene_load has one.
 char* scene_text(const char* name, const SceneSet* set, int set_count, bool for_people,
                  Fault* fault);
 
-/// Where a balloon's model is: a shape's name as it is, a file beside the scene's, in assets/models
-/// or as typed from the working folder. The fault names the places tried.
+/// The path of a balloon's model: a shape's name itself, or a file beside the scene's, in
+/// assets/models or relative to the working folder. The fault names the paths tried.
 bool scene_model_path(const WorldDef* def, const char* model, char path[512], Fault* fault);
 
 /// The paths of all shipped scenes in order of name: for `balloon list`, next and previous, tests.

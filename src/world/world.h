@@ -26,16 +26,16 @@ struct World {
     Contacts contacts; ///< balls, floor, walls
     double step;       ///< h [s]
     long step_count;   ///< steps since the start or the last reset
-    long clock;        ///< calls of world_step since world_open; a reset does not set it back
+    long clock;        ///< calls of world_step since world_open, also across resets
     long good_step;    ///< the step of the last good state
     int selected;      ///< balloon that keys act on, or ALL_BALLOONS
     unsigned held;     ///< commands whose key is down, bit k for row k of command_table
     StepGuard guard;
     EnergyWatch watch;
-    double drift;    ///< length of the last drift, which is shorter where balls are near [s]
+    double drift; ///< length of the last drift; contacts shorten it where balls are near a skin [s]
     double solvable; ///< longest substep that the method could last solve [of the step]
     Blowup blowup;
-    char notice[256]; ///< to be shown once; empty: nothing
+    char notice[256]; ///< a message that the program shows once; empty: none
 };
 
 /// Make the world of a def, which the world then owns (it is freed with the world, and also when
