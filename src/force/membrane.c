@@ -92,4 +92,5 @@ const Force force_membrane = {
     .stencils = stencils,
     .assemble = assemble,
     .elastic = true,
+    .stiffens = true,
 };

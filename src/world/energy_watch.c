@@ -26,9 +26,19 @@ static bool body_has_energy(const Balloon* balloon) {
             (membrane->rubber.rule == VOLUME_LOCAL && !membrane->rubber.material->reads_thickness));
 }
 
+static bool any_stiffens(const World* world) {
+    for (int b = 0; b < world->balloon_count; b++)
+        for (int k = 0; k < force_count; k++)
+            if (force_table[k]->stiffens && force_table[k]->present(&world->balloon[b].body))
+                return true;
+    return false;
+}
+
 static bool is_watched(const World* world) {
     if (!guard_splits(&world->guard, world->method) ||
         (world->contacts.law == CONTACT_PAPER && world->contacts.sphere_count > 0))
+        return false;
+    if (world->guard.substeps == 1 && !any_stiffens(world))
         return false;
     for (int b = 0; b < world->balloon_count; b++)
         if (!body_has_energy(&world->balloon[b]))

@@ -5,8 +5,9 @@
 ///     stored = K + elastic energy + p^2 V / (2 ambient), the gas's energy above the air's    [J]
 ///     turnover = stored before + |sum of (E' - E)| + |work|                                  [J]
 ///
-/// over all balloons and balls, K kinetic, at the time of the positions (method.h, `staggered`). What hands, valves and pipes do is done before the step
-/// and is not in it; contacts, drag and friction only take energy. A step whose state is bad
+/// over all balloons and balls, K kinetic, at the time of the positions (method.h, `staggered`).
+/// What hands, valves and pipes do is done before the step and is not in it; contacts, drag and
+/// friction only take energy. A step whose state is bad
 /// (blowup.h), or with
 ///
 ///     gain > GAIN turnover,   GAIN = 1/10
@@ -19,9 +20,11 @@
 /// measurement is made where K does exceed it by the same share, and every MEASURE_INTERVAL
 /// substeps.
 ///
-/// The watch is on for explicit methods, in the guard's mode `split`, where each force is the
-/// gradient of an energy and each contact takes energy: not with corrected springs, `volume:
-/// global`, a material of variable thickness, or the paper's contact.
+/// The watch is on for explicit methods, in the guard's mode `split`, where a step is divided or a
+/// force stiffens without limit (force.h), each force is the gradient of an energy and each contact
+/// takes energy: not with corrected springs, `volume: global`, a material of variable thickness, or
+/// the paper's contact. An undivided step of springs is below a bound that holds, and saving its
+/// state would cost 20 % of it.
 #ifndef BALLOON_WORLD_ENERGY_WATCH_H
 #define BALLOON_WORLD_ENERGY_WATCH_H
 

@@ -13,8 +13,8 @@
 ///
 /// Measured without these three. `peak` by semi-implicit Euler: 156 substeps at the first look, the
 /// limit falls as the balloon grows (the gas's stiffness is proportional to V^(1/3)), and the state
-/// is gone after 7 steps, 1092 substeps later. A ball of neo-Hookean rubber, undamped: the bound moves between 2.4e-4 s and 4e-5 s within 16 steps, because the law is
-/// stiff as 1/D^3 in an element whose squared area ratio D is small. With a look before every
+/// is gone after 7 steps, 1092 substeps later. A ball of neo-Hookean rubber, undamped: the bound
+/// moves between 2.4e-4 s and 4e-5 s within 16 steps, because the law is stiff as 1/D^3 in an element whose squared area ratio D is small. With a look before every
 /// substep, and each as long as its bound, the energy grows faster still: an element is entered
 /// with a long step and left with a short one, and a symplectic method of varying steps keeps no
 /// energy. At equal steps of 5e-5 s the energy is kept to 0.05 J of 8 J.
