@@ -111,8 +111,10 @@ static void solve(Contacts* contacts, double h) {
     islands_find(islands, contacts->contact, contacts->contact_count,
                  contacts->sphere_count + contacts->skin_count);
     for (int i = 0; i < islands->count; i++)
-        contact_solve(islands->contact + islands->start[i],
-                      islands->start[i + 1] - islands->start[i], h);
+        contacts->separation_work +=
+            fmax(0, contact_solve(islands->contact + islands->start[i],
+                                  islands->start[i + 1] - islands->start[i], h)
+                        .kinetic);
     warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
 }
 

@@ -66,6 +66,7 @@ typedef struct Contacts {
     int good_count, good_capacity;
     Sphere* good; ///< [good_capacity] last good state of the balls
     long pass_throughs;
+    double separation_work; ///< kinetic energy given to rigid overlaps to undo them, so far [J]
 } Contacts;
 
 /// No balls yet. body: the skins, which must stay where they are; before: the velocities of each

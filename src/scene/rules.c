@@ -1,5 +1,7 @@
 #include "scene/rules.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 #include "force/force.h"
@@ -195,9 +197,11 @@ bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
         const double* n = def->walls[i].normal;
         char path[64];
         snprintf(path, sizeof path, "walls.%u.normal", i);
-        if (n[0] == 0 && n[1] == 0 && n[2] == 0)
+        const double squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        if (!(squared >= DBL_MIN && squared <= DBL_MAX)) // else its direction is lost
             return tree_fault(tree, tree_find(tree, path), fault,
-                              "a wall's normal points somewhere; this one has no length");
+                              "a wall's normal points somewhere; the length of this one is %g",
+                              sqrt(squared));
     }
     for (unsigned i = 0; i < def->balloons_count; i++)
         if (!exclusive_parameters_hold(def, i, tree, fault) ||

@@ -172,13 +172,16 @@ static Balance measure_balance(World* world) {
     const Energies after = measure(world, contacts->sphere, contacts->sphere_count);
     world->watch.kinetic_max = (1 + gain_max) * after.stored;
     world->watch.since_measure = 0;
-    const double work = pressure_work(world), forces = after.forces - before.forces;
+    const double forces = after.forces - before.forces;
+    const double separation = contacts->separation_work - world->watch.separation_work;
+    const double work = pressure_work(world) + separation;
     return (Balance){.gain = after.kinetic - before.kinetic + forces - work,
                      .turnover = before.stored + fabs(forces) + fabs(work)};
 }
 
 void energy_watch_start(World* world) {
     world->watch.on = is_watched(world);
+    world->watch.separation_work = world->contacts.separation_work;
     if (world->watch.on)
         blowup_save_state(world);
 }

@@ -1,7 +1,8 @@
 /// The energy watch, the guard's second line: a step may not gain energy.
 ///
-///     gain   = K' - K + sum of (E' - E) over forces with an energy - work of the pressure    [J]
-///     work   = integral of p dV over the step, Simpson's rule, the amount of gas fixed       [J]
+///     gain   = K' - K + sum of (E' - E) over forces with an energy - work                    [J]
+///     work   = integral of p dV over the step, Simpson's rule, the amount of gas fixed, and
+///              what contacts give to undo rigid overlaps                                     [J]
 ///     stored = K + elastic energy + p^2 V / (2 ambient), the gas's energy above the air's    [J]
 ///     turnover = stored before + |sum of (E' - E)| + |work|                                  [J]
 ///
@@ -33,9 +34,10 @@
 typedef struct World World;
 
 typedef struct EnergyWatch {
-    bool on;            ///< for this step
-    double kinetic_max; ///< measure above it [J]
-    int since_measure;  ///< substeps since the last measurement
+    bool on;                ///< for this step
+    double kinetic_max;     ///< measure above it [J]
+    int since_measure;      ///< substeps since the last measurement
+    double separation_work; ///< Contacts.separation_work before the step [J]
 } EnergyWatch;
 
 /// Before the substeps of a step: save the state.
