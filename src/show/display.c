@@ -1,6 +1,10 @@
 #include "show/display.h"
 
+#include <dlfcn.h>
 #include <poll.h>
+#include <pthread.h>
+#include <setjmp.h>
+#include <signal.h>
 
 #include <X11/Xlib.h>
 
@@ -8,8 +12,54 @@
 // function, and closes its windows when the display goes away.
 extern Display* glfwGetX11Display(void) __attribute__((weak));
 
+// of the call under way
+static sigjmp_buf call_start;
+static pthread_t call_thread;
+static volatile sig_atomic_t calling;
+
 bool display_is_lost(void) {
     Display* display = glfwGetX11Display ? glfwGetX11Display() : NULL;
     struct pollfd connection = {.fd = display ? ConnectionNumber(display) : -1};
     return poll(&connection, 1, 0) > 0; // no event is asked for, so only an error is one
+}
+
+/// A crash of the driver with the server gone ends the call; any other one happens again, uncaught.
+static void crashed(int signal_number) {
+    if (pthread_equal(pthread_self(), call_thread) && display_is_lost())
+        siglongjmp(call_start, 1);
+    signal(signal_number, SIG_DFL);
+}
+
+static void exit_of_xlib(Display* display, void* self) {
+    (void)display, (void)self;
+    if (calling) // else the present function of Xlib fails
+        siglongjmp(call_start, 1);
+}
+
+/// GLFW loads Xlib by itself; a Wayland session has none.
+static void catch_exit_of_xlib(void) {
+    typedef void SetHandler(Display*, void (*)(Display*, void*), void*);
+    Display* display = glfwGetX11Display ? glfwGetX11Display() : NULL;
+    void* xlib = display ? dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD) : NULL;
+    SetHandler* set = NULL;
+    if (xlib)
+        *(void**)&set = dlsym(xlib, "XSetIOErrorExitHandler");
+    if (set)
+        set(display, exit_of_xlib, NULL);
+}
+
+bool display_call(void (*calls)(void* self), void* self) {
+    struct sigaction action = {.sa_handler = crashed}, before;
+    call_thread = pthread_self();
+    catch_exit_of_xlib();
+    sigaction(SIGSEGV, &action, &before);
+    calling = 1;
+    volatile bool complete = false;
+    if (sigsetjmp(call_start, 1) == 0) {
+        calls(self);
+        complete = true;
+    }
+    calling = 0;
+    sigaction(SIGSEGV, &before, NULL);
+    return complete && !display_is_lost();
 }

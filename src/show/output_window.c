@@ -159,11 +159,8 @@ static void measure_window(Window* window) {
     input->scale = fmaxf(1, fmaxf(ratio, down));
 }
 
-static bool next(void* self, Input* input) {
+static void take_events(void* self) {
     Window* window = self;
-    window->display_lost = display_is_lost();
-    if (window->display_lost) // present says so
-        return true;
     glfwPollEvents();
     measure_window(window);
 
@@ -174,6 +171,13 @@ static bool next(void* self, Input* input) {
         glfwWaitEventsTimeout(MIN_FRAME_TIME);
         measure_window(window);
     }
+}
+
+static bool next(void* self, Input* input) {
+    Window* window = self;
+    window->display_lost = display_is_lost() || !display_call(take_events, window);
+    if (window->display_lost) // present says so
+        return true;
     const double now = glfwGetTime();
     window->input.elapsed = now - window->frame_start;
     window->frame_ms += SMOOTHING * (1e3 * window->input.elapsed - window->frame_ms);
@@ -190,14 +194,23 @@ static bool late(void* self) {
     return glfwGetTime() - window->frame_start > MAX_STEPS_TIME;
 }
 
+typedef struct Showing {
+    GLFWwindow* window;
+    const Renderer* renderer;
+} Showing;
+
+static void show(void* self) {
+    const Showing* showing = self;
+    renderer_show(showing->renderer);
+    glfwSwapBuffers(showing->window);
+}
+
 static bool present(void* self, const Renderer* renderer, Fault* fault) {
     Window* window = self;
-    window->display_lost = window->display_lost || display_is_lost();
-    if (window->display_lost)
-        return fault_set(fault, "window", "the display went away");
-    renderer_show(renderer);
-    glfwSwapBuffers(window->window);
-    return true;
+    Showing showing = {window->window, renderer};
+    window->display_lost =
+        window->display_lost || display_is_lost() || !display_call(show, &showing);
+    return !window->display_lost || fault_set(fault, "window", "the display went away");
 }
 
 static void full_screen(void* self) {

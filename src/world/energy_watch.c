@@ -21,7 +21,8 @@ typedef struct Energies {
 
 static bool body_has_energy(const Balloon* balloon) {
     const Membrane* membrane = &balloon->body.membrane;
-    return !balloon->strain_limit.on &&
+    const bool encloses = balloon->body.mesh->closed || !force_inflation.present(&balloon->body);
+    return encloses && !balloon->strain_limit.on &&
            (membrane->count == 0 ||
             (membrane->rubber.rule == VOLUME_LOCAL && !membrane->rubber.material->reads_thickness));
 }

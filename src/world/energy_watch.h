@@ -23,9 +23,9 @@
 ///
 /// The watch is on for explicit methods, in the guard's mode `split`, where a step is divided or a
 /// force stiffens without limit (force.h), each force is the gradient of an energy and each contact
-/// takes energy: not with corrected springs, `volume: global`, a material of variable thickness, or
-/// the paper's contact. An undivided step of springs is below a bound that holds, and saving its
-/// state would cost 20 % of it.
+/// takes energy: not with pressure on an open skin, corrected springs, `volume: global`, a material
+/// of variable thickness, or the paper's contact. An undivided step of springs is below a bound that
+/// holds, and saving its state would cost 20 % of it.
 #ifndef BALLOON_WORLD_ENERGY_WATCH_H
 #define BALLOON_WORLD_ENERGY_WATCH_H
 

@@ -186,7 +186,7 @@ static void a_vertex_may_have_any_number_of_edges(void** state) {
     assert_int_equal(body.springs.count, 3 * COUNT);
     int vertex;
     assert_true(springs_paths(&mesh, &vertex) > (double)COUNT * COUNT);
-    assert_int_equal(mesh.loaded[vertex] % COUNT, 0);
+    assert_true(mesh.loaded[vertex] >= COUNT); // a pole
     body_free(&body);
     mesh_free(&mesh);
     setrlimit(RLIMIT_CPU, &before);

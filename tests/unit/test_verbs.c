@@ -96,6 +96,7 @@ static pid_t start(char* const* arguments) {
     if (process > 0)
         return process;
     setpgid(0, 0);
+    signal(SIGINT, SIG_DFL); // a shell's background jobs inherit that it is ignored
     if (!freopen("/dev/null", "r", stdin) || !freopen("said", "w", stdout) ||
         !freopen("complained", "w", stderr))
         _exit(127);
