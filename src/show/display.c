@@ -5,12 +5,15 @@
 #include <pthread.h>
 #include <setjmp.h>
 #include <signal.h>
+#include <sys/time.h>
 
 #include <X11/Xlib.h>
 
 // From GLFW/glfw3native.h, which needs further headers of X11. A GLFW for Wayland has no such
 // function, and closes its windows when the display goes away.
 extern Display* glfwGetX11Display(void) __attribute__((weak));
+
+enum { TIMEOUT = 250000 }; ///< [us]
 
 // of the call under way
 static sigjmp_buf call_start;
@@ -28,6 +31,15 @@ static void crashed(int signal_number) {
     if (pthread_equal(pthread_self(), call_thread) && display_is_lost())
         siglongjmp(call_start, 1);
     signal(signal_number, SIG_DFL);
+}
+
+/// A call that takes this long with the server gone does not end by itself.
+static void timed_out(int signal_number) {
+    if (!calling || !display_is_lost())
+        return;
+    if (pthread_equal(pthread_self(), call_thread))
+        siglongjmp(call_start, 1);
+    pthread_kill(call_thread, signal_number);
 }
 
 static void exit_of_xlib(Display* display, void* self) {
@@ -48,18 +60,27 @@ static void catch_exit_of_xlib(void) {
         set(display, exit_of_xlib, NULL);
 }
 
+static void set_timer(int microseconds) {
+    const struct timeval interval = {.tv_usec = microseconds};
+    setitimer(ITIMER_REAL, &(struct itimerval){interval, interval}, NULL);
+}
+
 bool display_call(void (*calls)(void* self), void* self) {
-    struct sigaction action = {.sa_handler = crashed}, before;
+    struct sigaction crash = {.sa_handler = crashed}, alarm = {.sa_handler = timed_out}, before[2];
+    volatile bool complete = false;
     call_thread = pthread_self();
     catch_exit_of_xlib();
-    sigaction(SIGSEGV, &action, &before);
+    sigaction(SIGSEGV, &crash, &before[0]);
+    sigaction(SIGALRM, &alarm, &before[1]);
+    set_timer(TIMEOUT);
     calling = 1;
-    volatile bool complete = false;
     if (sigsetjmp(call_start, 1) == 0) {
         calls(self);
         complete = true;
     }
     calling = 0;
-    sigaction(SIGSEGV, &before, NULL);
+    set_timer(0);
+    sigaction(SIGSEGV, &before[0], NULL);
+    sigaction(SIGALRM, &before[1], NULL);
     return complete && !display_is_lost();
 }

@@ -9,8 +9,8 @@
 bool display_is_lost(void);
 
 /// Run calls of GLFW and OpenGL that talk to the server, on the thread that owns the window. False
-/// where the server goes away during them: Xlib would exit, and Mesa reads a reply that is not there
-/// and crashes. After that nothing of the two libraries may be called.
+/// where the server goes away during them: Xlib would exit, and Mesa crashes on a reply that is not
+/// there or sends parts of a picture for ever. After that nothing of the two libraries may be called.
 bool display_call(void (*calls)(void* self), void* self);
 
 #endif
