@@ -16,7 +16,7 @@ typedef struct Blowup {
     int balloon;    ///< NONE: a ball
     int particle;   ///< loaded number
     long step;      ///< the step in which it was found
-    char text[400]; ///< the whole sentence, with the bound that was crossed
+    char text[512]; ///< the whole sentence, with the bound that was crossed
 } Blowup;
 
 typedef struct World World;
