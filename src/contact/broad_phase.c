@@ -13,18 +13,18 @@ double broad_phase_max_speed(const Body* body) {
 }
 
 void broad_phase_refit(ContactSkin* skin) {
-    if (skin->grown == 0)
+    if (skin->path_max == 0)
         return;
     bullet_skin_refit(skin->patches);
     bullet_skin_box(skin->patches, skin->low, skin->high);
-    skin->grown = 0;
+    skin->path_max = 0;
 }
 
 double broad_phase_box_distance(const ContactSkin* skin, double4 point) {
     double4 away = {0};
     for (int k = 0; k < 3; k++)
         away[k] = fmax(fmax(skin->low[k] - point[k], point[k] - skin->high[k]), 0);
-    return dlength(away) - skin->grown;
+    return dlength(away) - skin->path_max;
 }
 
 int broad_phase_triangles(Contacts* contacts, ContactSkin* skin, const Sphere* sphere,

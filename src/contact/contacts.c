@@ -38,7 +38,7 @@ static void begin(Contacts* contacts) {
         skin->patches = bullet_skin_open((const int(*)[3])mesh->triangle, mesh->triangle_count,
                                          skin->body->x, mesh->point_count);
         skin->fastest = broad_phase_max_speed(skin->body);
-        skin->grown = INFINITY;
+        skin->path_max = INFINITY;
     }
 }
 
@@ -55,7 +55,7 @@ void contacts_add(Contacts* contacts, const Sphere* sphere) {
             body->mesh->closed && winding_number(body->mesh, body->x, to_double4(sphere->x)) > 0.5;
         const int side = inside ? -1 : 1, number = s * contacts->skin_count + b;
         array_reserve(contacts->pair, number, contacts->pair_capacity);
-        contacts->pair[number] = (ContactPair){.side = side, .now = side};
+        contacts->pair[number] = (ContactPair){.side = side, .present_side = side};
     }
 }
 
@@ -63,7 +63,7 @@ void contacts_add(Contacts* contacts, const Sphere* sphere) {
 static void forget(Contacts* contacts) {
     contacts->contact_count = contacts->near_count = contacts->warm.count = 0;
     for (int b = 0; b < contacts->skin_count; b++)
-        contacts->skin[b].grown = INFINITY;
+        contacts->skin[b].path_max = INFINITY;
 }
 
 void contacts_clear(Contacts* contacts) {

@@ -29,16 +29,16 @@ typedef struct ContactSkin {
     BulletSkin* patches;   ///< NULL until the first ball
     unsigned char* owners; ///< which triangle a shared corner or edge belongs to (shared_feature.h)
     double low[3], high[3]; ///< box of the skin at its last refit
-    double grown;           ///< the longest way of any of its particles since then [m]
+    double path_max;        ///< bound on the path of any of its particles since then [m]
     double fastest;         ///< speed of its fastest particle in the last drift [m/s]
 } ContactSkin;
 
 /// State of a ball and a skin from substep to substep.
 typedef struct ContactPair {
-    int side;      ///< 1: the ball began outside the skin, -1 inside
-    int now;       ///< on which side it is now: another than `side` has passed through
-    bool touching; ///< it touched the skin in the last part: a hit is no longer a first one
-    double seen;   ///< every triangle nearer to the ball's centre is in the list of this part [m]
+    int side;         ///< 1: the ball began outside the skin, -1 inside
+    int present_side; ///< another than `side`: it has passed through
+    bool touching;    ///< it touched the skin in the last part: a hit is no longer a first one
+    double searched;  ///< every triangle nearer to the ball's centre is in this part's list [m]
 } ContactPair;
 
 typedef struct Contacts {

@@ -30,7 +30,7 @@ static double safe_step_to_skin(Contacts* contacts, ContactSkin* skin, Sphere* s
 /// changed speeds: the larger of both bounds the motion.
 static void bound_motion(const Contacts* contacts, ContactSkin* skin) {
     const double fastest = broad_phase_max_speed(skin->body);
-    skin->grown += contacts->drift * fmax(skin->fastest, fastest);
+    skin->path_max += contacts->drift * fmax(skin->fastest, fastest);
     skin->fastest = fastest;
 }
 
@@ -79,9 +79,9 @@ static void gather_pair(Contacts* contacts, int row, int s, int b, double h) {
     const double reach = (1 + slack) * radius + 2 * speed * h;
     const real fall = (real)(h * contacts->gravity);
     bool touching = false;
-    pair->seen = fmax(reach, broad_phase_box_distance(skin, to_double4(sphere->x)));
+    pair->searched = fmax(reach, broad_phase_box_distance(skin, to_double4(sphere->x)));
     const int count =
-        pair->seen <= reach ? broad_phase_triangles(contacts, skin, sphere, reach) : 0;
+        pair->searched <= reach ? broad_phase_triangles(contacts, skin, sphere, reach) : 0;
     for (int k = 0; k < count; k++) {
         Contact* contact = pair_next(contacts);
         ball_triangle_contact(contact, sphere, skin->body, contacts->candidate[k],
@@ -114,20 +114,20 @@ static void gather(Contacts* contacts, int row, double h) {
 
 /// The solve may have made things faster than they were when the near triangles were gathered: how
 /// much of h may be drifted so that no triangle that was not gathered enters the core of a ball.
-static double limit_by_unseen(Contacts* contacts, double h) {
+static double limit_by_unsearched(Contacts* contacts, double h) {
     for (int b = 0; b < contacts->skin_count; b++)
         contacts->skin[b].fastest = broad_phase_max_speed(contacts->skin[b].body);
     for (int s = 0; s < contacts->sphere_count; s++)
         for (int b = 0; b < contacts->skin_count; b++) {
             Sphere* sphere = &contacts->sphere[s];
-            const double seen = contacts->pair[s * contacts->skin_count + b].seen;
+            const double searched = contacts->pair[s * contacts->skin_count + b].searched;
             const double speed = (double)length(sphere->v) + contacts->skin[b].fastest;
             const double path = speed * h + core * (double)sphere->radius;
-            if (path <= seen)
+            if (path <= searched)
                 continue;
             const double distance =
                 broad_phase_distance(contacts, &contacts->skin[b], sphere, path);
-            h = fmin(h, (fmax(seen, distance) - core * (double)sphere->radius) / speed);
+            h = fmin(h, (fmax(searched, distance) - core * (double)sphere->radius) / speed);
         }
     return h;
 }
@@ -151,7 +151,7 @@ static double limit_drift(Contacts* contacts, double h) {
     if (contacts->sphere_count == 0 || contacts->law == CONTACT_PAPER)
         return h;
     h = ccd_stop(contacts->contact, contacts->near_count, limit_by_near(contacts, h));
-    return limit_by_unseen(contacts, h);
+    return limit_by_unsearched(contacts, h);
 }
 
 static void count_passes(Contacts* contacts, double h) {
@@ -160,8 +160,8 @@ static void count_passes(Contacts* contacts, double h) {
         if (!pair_has_triangle(c) || !ccd_passes_through(c, h))
             continue;
         ContactPair* pair = &contacts->pair[c->pair];
-        pair->now = -pair->now;
-        if (pair->now != pair->side)
+        pair->present_side = -pair->present_side;
+        if (pair->present_side != pair->side)
             contacts->pass_throughs++;
     }
 }

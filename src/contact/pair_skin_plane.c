@@ -62,6 +62,8 @@ static int pushed_features(Contacts* contacts, int b, int touching, double h) {
                 }
         }
     }
+    if (count == 0) // qsort takes no NULL
+        return 0;
     qsort(contacts->candidate, (size_t)count, sizeof(int), compare);
     int kept = 0;
     for (int j = 0; j < count; j++)

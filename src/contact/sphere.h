@@ -21,10 +21,10 @@ typedef struct Sphere {
 /// A ball that does not spin, from the numbers of a scene or a log.
 static inline Sphere sphere_of(const double x[3], const double v[3], double radius, double mass,
                                double restitution, double friction) {
-    const real4 place = {(real)x[0], (real)x[1], (real)x[2], 0};
+    const real4 position = {(real)x[0], (real)x[1], (real)x[2], 0};
     const real4 velocity = {(real)v[0], (real)v[1], (real)v[2], 0};
     const real4 nothing = {0, 0, 0, 0};
-    const Sphere sphere = {place,      velocity,          nothing,       (real)radius,
+    const Sphere sphere = {position,   velocity,          nothing,       (real)radius,
                            (real)mass, (real)restitution, (real)friction};
     return sphere; // in order and by name, because C++ has neither designators nor literals
 }
