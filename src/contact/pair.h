@@ -61,6 +61,12 @@ static inline double pair_safe_time(double safe, double gap, double radius, doub
     return speed > 0 ? fmin(safe, fmax(pair_max_overlap * radius, gap) / speed) : safe;
 }
 
+/// Whether a rigid pair bounces: it closes its gap in a drift of length h, and faster than a pair at
+/// rest.
+static inline bool pair_bounces(double gap, double closing, double h) {
+    return closing * h >= gap && closing > pair_min_bounce * h;
+}
+
 /// Whether nodes 1 to 3 are the corners of a triangle of a skin.
 static inline bool pair_has_triangle(const Contact* contact) {
     return contact->node_count == CONTACT_NODES;

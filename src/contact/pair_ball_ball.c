@@ -55,7 +55,7 @@ static bool meet(Contact* contact, Sphere* a, Sphere* b, double h) {
     const double closing = -ddot(normal, v);
     contact->normal = to_real4(normal);
     contact->gap = (real)gap;
-    contact->first = closing * h >= gap && closing > pair_min_bounce * h;
+    contact->first = pair_bounces(gap, closing, h);
     pair_set_ball(contact, 0, a, 1, (real)((double)a->radius + between / 2));
     pair_set_ball(contact, 1, b, -1, (real)((double)b->radius + between / 2));
     contact_set_masses(contact);

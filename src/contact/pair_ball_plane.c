@@ -33,7 +33,7 @@ static void gather_pair(Contacts* contacts, int row, int s, int k, double h) {
                          .size = ball->radius,
                          .friction = ball->friction,
                          .restitution = ball->restitution,
-                         .first = closing * h >= gap && closing > pair_min_bounce * h,
+                         .first = pair_bounces(gap, closing, h),
                          .rigid = true,
                          .side = {s, NONE},
                          .row = row,

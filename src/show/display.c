@@ -68,8 +68,11 @@ static void set_timer(int microseconds) {
 bool display_call(void (*calls)(void* self), void* self) {
     struct sigaction crash = {.sa_handler = crashed}, alarm = {.sa_handler = timed_out}, before[2];
     volatile bool complete = false;
+    static bool is_first = true;
+    if (is_first) // GLFW opens one display, and keeps it
+        catch_exit_of_xlib();
+    is_first = false;
     call_thread = pthread_self();
-    catch_exit_of_xlib();
     sigaction(SIGSEGV, &crash, &before[0]);
     sigaction(SIGALRM, &alarm, &before[1]);
     set_timer(TIMEOUT);

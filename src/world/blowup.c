@@ -61,7 +61,7 @@ void blowup_save_state(World* world) {
     world->good_step = world->step_count;
 }
 
-static void restore_state(World* world) {
+void blowup_take_back(World* world) {
     for (int b = 0; b < world->balloon_count; b++) {
         Balloon* balloon = &world->balloon[b];
         const size_t bytes = (size_t)balloon->body.count * sizeof(real4);
@@ -83,7 +83,7 @@ void blowup_unsolved(World* world, int balloon, double h) {
         "%.2g s; the state of step %ld is back",
         balloon, world->balloon[balloon].def->model, world->method->name, world->step_count,
         world_time(world), h, world->good_step);
-    restore_state(world);
+    blowup_take_back(world);
 }
 
 /// What is bad about a state.
@@ -227,7 +227,7 @@ static void halt_bad(World* world, const Bad* bad) {
          particle && !ball ? world->balloon[bad->balloon].mesh.loaded[bad->number] : NONE);
     char cause[160], before[160] = "", name[80];
     say_cause(world, bad, cause, sizeof cause);
-    restore_state(world);
+    blowup_take_back(world);
     if (ball)
         snprintf(name, sizeof name, "ball %d", bad->number);
     else {
@@ -249,11 +249,7 @@ void blowup_gained(World* world, double gain, double turnover) {
         "%ld is back",
         world->step_count, world_time(world), gain, turnover, world->guard.substeps,
         world->good_step);
-    restore_state(world);
-}
-
-void blowup_take_back(World* world) {
-    restore_state(world);
+    blowup_take_back(world);
 }
 
 void blowup_check(World* world) {

@@ -34,11 +34,11 @@ void blowup_save_state(World* world);
 /// Whether the present state is bad.
 bool blowup_is_bad(const World* world);
 
-/// Restore the last good state, from which the step is made again.
+/// Restore the last good state.
 void blowup_take_back(World* world);
 
-/// The step has gained energy beside what it converted [J], in the shortest substeps too: restore the last good state and
-/// halt.
+/// The step has gained energy beside what it converted [J], in the shortest substeps too: restore
+/// the last good state and halt.
 void blowup_gained(World* world, double gain, double turnover);
 
 /// After a step: in a bad state, name it, restore the last good one and halt; in a good state, save
