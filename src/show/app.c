@@ -220,12 +220,18 @@ bool app_open(App* app, Fault* fault) {
     return open_renderer(app, fault);
 }
 
+bool app_display_lost(const App* app, Fault* fault) {
+    return app->output.lost && app->output.lost(app->output.self, fault);
+}
+
 bool app_close(App* app, bool complete, Fault* fault) {
-    if (app->overlay_scale > 0)
-        hud_close();
-    renderer_close(app->renderer);
+    complete = session_close(&app->session, fault) && complete;
+    if (!app_display_lost(app, fault)) {
+        if (app->overlay_scale > 0)
+            hud_close();
+        renderer_close(app->renderer);
+    }
     picture_close(&app->picture);
     live_lab_close(app->lab);
-    complete = session_close(&app->session, fault) && complete;
     return app->output.close(app->output.self, complete, fault);
 }

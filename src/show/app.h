@@ -55,6 +55,9 @@ bool app_open(App* app, Fault* fault);
 /// The main loop (show/loop.c), until the output ends or the user quits.
 bool app_run(App* app, Fault* fault);
 
+/// Whether the display went away, with the fault that says so.
+bool app_display_lost(const App* app, Fault* fault);
+
 /// Close everything except the world. complete: no fault so far, finish the output's files.
 bool app_close(App* app, bool complete, Fault* fault);
 

@@ -5,7 +5,10 @@
 #include <pthread.h>
 #include <setjmp.h>
 #include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <sys/time.h>
+#include <unistd.h>
 
 #include <X11/Xlib.h>
 
@@ -13,24 +16,37 @@
 // function, and closes its windows when the display goes away.
 extern Display* glfwGetX11Display(void) __attribute__((weak));
 
-enum { TIMEOUT = 250000 }; ///< [us]
+enum { TIMEOUT = 250000 };     ///< [us]
+enum { CRASH_TIMEOUT = 1000 }; ///< [ms]
 
 // of the call under way
 static sigjmp_buf call_start;
 static pthread_t call_thread;
 static volatile sig_atomic_t calling;
 
-bool display_is_lost(void) {
+static bool is_lost_within(int milliseconds) {
     Display* display = glfwGetX11Display ? glfwGetX11Display() : NULL;
     struct pollfd connection = {.fd = display ? ConnectionNumber(display) : -1};
-    return poll(&connection, 1, 0) > 0; // no event is asked for, so only an error is one
+    // no event is asked for, so only an error is one
+    return display && poll(&connection, 1, milliseconds) > 0;
+}
+
+bool display_is_lost(void) {
+    return is_lost_within(0);
 }
 
 /// A crash of the driver with the server gone ends the call; any other one happens again, uncaught.
+/// A server that is being killed closes its memory before its connections.
 static void crashed(int signal_number) {
-    if (pthread_equal(pthread_self(), call_thread) && display_is_lost())
+    if (!calling || !is_lost_within(CRASH_TIMEOUT)) {
+        signal(signal_number, SIG_DFL);
+        return;
+    }
+    if (pthread_equal(pthread_self(), call_thread))
         siglongjmp(call_start, 1);
-    signal(signal_number, SIG_DFL);
+    pthread_kill(call_thread, SIGALRM);
+    for (;;) // a thread of the driver, which ends with the program
+        pause();
 }
 
 /// A call that takes this long with the server gone does not end by itself.
@@ -42,22 +58,24 @@ static void timed_out(int signal_number) {
     pthread_kill(call_thread, signal_number);
 }
 
-static void exit_of_xlib(Display* display, void* self) {
-    (void)display, (void)self;
-    if (calling) // else the present function of Xlib fails
+/// Xlib's own handler exits, with a log that has no end.
+static int xlib_failed(Display* display) {
+    (void)display;
+    if (calling)
         siglongjmp(call_start, 1);
+    display_abandon(); // Xlib exits when this returns
+    return 0;
 }
 
 /// GLFW loads Xlib by itself; a Wayland session has none.
 static void catch_exit_of_xlib(void) {
-    typedef void SetHandler(Display*, void (*)(Display*, void*), void*);
-    Display* display = glfwGetX11Display ? glfwGetX11Display() : NULL;
-    void* xlib = display ? dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD) : NULL;
-    SetHandler* set = NULL;
+    typedef int Handler(Display*);
+    void* xlib = dlopen("libX11.so.6", RTLD_LAZY);
+    Handler* (*set)(Handler*) = NULL;
     if (xlib)
-        *(void**)&set = dlsym(xlib, "XSetIOErrorExitHandler");
+        *(void**)&set = dlsym(xlib, "XSetIOErrorHandler");
     if (set)
-        set(display, exit_of_xlib, NULL);
+        set(xlib_failed);
 }
 
 static void set_timer(int microseconds) {
@@ -69,7 +87,7 @@ bool display_call(void (*calls)(void* self), void* self) {
     struct sigaction crash = {.sa_handler = crashed}, alarm = {.sa_handler = timed_out}, before[2];
     volatile bool complete = false;
     static bool is_first = true;
-    if (is_first) // GLFW opens one display, and keeps it
+    if (is_first)
         catch_exit_of_xlib();
     is_first = false;
     call_thread = pthread_self();
@@ -87,3 +105,12 @@ bool display_call(void (*calls)(void* self), void* self) {
     sigaction(SIGALRM, &before[1], NULL);
     return complete && !display_is_lost();
 }
+
+static void end_at_once(void) {
+    fflush(NULL);
+    _exit(EXIT_FAILURE);
+}
+
+void display_abandon(void) {
+    atexit(end_at_once);
+} // handlers run from the last to the first

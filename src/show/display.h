@@ -13,4 +13,8 @@ bool display_is_lost(void);
 /// there or sends parts of a picture for ever. After that nothing of the two libraries may be called.
 bool display_call(void (*calls)(void* self), void* self);
 
+/// End of the program where the display is lost: what the two libraries registered for it would
+/// crash, so nothing of it runs, and the exit code is that of a fault.
+void display_abandon(void);
+
 #endif

@@ -149,6 +149,8 @@ bool app_run(App* app, Fault* fault) {
         *app->options->stages = app->stages;
     if (app->options->time)
         stages_print(&app->stages);
+    if (app_display_lost(app, fault))
+        return false;
     return !interrupt_signal() ||
            interrupt_fault(app->world->def.file, world_time(app->world), fault);
 }

@@ -35,7 +35,7 @@ typedef struct Input {
 typedef struct Output {
     void* self;
 
-    /// Wait for the next frame; false if there is none: window closed, or all frames done.
+    /// Wait for the next frame; false if there is none: window closed or lost, or all frames done.
     bool (*next)(void* self, Input* input);
 
     /// Whether this frame's time for steps is used up. A window must respond to input; headless
@@ -47,6 +47,9 @@ typedef struct Output {
 
     /// Switch between window and full screen; NULL: headless.
     void (*full_screen)(void* self);
+
+    /// Whether the display went away, and the OpenGL context with it: then a fault. NULL: headless.
+    bool (*lost)(void* self, Fault* fault);
 
     /// complete: finish the files; else remove those that are unfinished.
     bool (*close)(void* self, bool complete, Fault* fault);

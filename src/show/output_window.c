@@ -176,8 +176,8 @@ static void take_events(void* self) {
 static bool next(void* self, Input* input) {
     Window* window = self;
     window->display_lost = display_is_lost() || !display_call(take_events, window);
-    if (window->display_lost) // present says so
-        return true;
+    if (window->display_lost)
+        return false;
     const double now = glfwGetTime();
     window->input.elapsed = now - window->frame_start;
     window->frame_ms += SMOOTHING * (1e3 * window->input.elapsed - window->frame_ms);
@@ -205,12 +205,21 @@ static void show(void* self) {
     glfwSwapBuffers(showing->window);
 }
 
+static bool set_lost(Fault* fault) {
+    return fault_set(fault, "window", "the display went away");
+}
+
 static bool present(void* self, const Renderer* renderer, Fault* fault) {
     Window* window = self;
     Showing showing = {window->window, renderer};
     window->display_lost =
         window->display_lost || display_is_lost() || !display_call(show, &showing);
-    return !window->display_lost || fault_set(fault, "window", "the display went away");
+    return !window->display_lost || set_lost(fault);
+}
+
+static bool lost(void* self, Fault* fault) {
+    const Window* window = self;
+    return window->display_lost && !set_lost(fault);
 }
 
 static void full_screen(void* self) {
@@ -234,7 +243,9 @@ static void full_screen(void* self) {
 static bool close_window(void* self, bool complete, Fault* fault) {
     (void)fault;
     Window* window = self;
-    if (!window->display_lost) {
+    if (window->display_lost) {
+        display_abandon();
+    } else {
         glfwDestroyWindow(window->window);
         glfwTerminate();
     }
@@ -248,11 +259,21 @@ static const char* glfw_error(void) {
     return text ? text : "no reason given";
 }
 
-bool output_window(Output* output, const char* title, int width, int height, Fault* fault) {
-    if (!glfwInit())
-        return fault_set(fault, "window",
-                         "there is no display here (%s); `balloon render` works without one",
-                         glfw_error());
+typedef struct Creation {
+    const char* title;
+    int width, height;
+    Window* window;
+    Fault* fault; ///< set where there is no window
+} Creation;
+
+static void create(void* self) {
+    Creation* creation = self;
+    if (!glfwInit()) {
+        fault_set(creation->fault, "window",
+                  "there is no display here (%s); `balloon render` works without one",
+                  glfw_error());
+        return;
+    }
     glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -260,14 +281,14 @@ bool output_window(Output* output, const char* title, int width, int height, Fau
     glfwWindowHint(GLFW_DEPTH_BITS, 0); // the renderer has its own buffers
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-
-    GLFWwindow* handle = glfwCreateWindow(width, height, title, NULL, NULL);
+    GLFWwindow* handle =
+        glfwCreateWindow(creation->width, creation->height, creation->title, NULL, NULL);
     if (!handle) {
-        fault_set(fault, "window", "no window with OpenGL 3.3: %s", glfw_error());
+        fault_set(creation->fault, "window", "no window with OpenGL 3.3: %s", glfw_error());
         glfwTerminate();
-        return false;
+        return;
     }
-    Window* window = new_array(Window, 1);
+    Window* window = creation->window;
     *window = (Window){.window = handle, .frame_start = glfwGetTime()};
     glfwGetCursorPos(handle, &window->pointer[0], &window->pointer[1]);
     glfwSetWindowUserPointer(handle, window);
@@ -277,11 +298,26 @@ bool output_window(Output* output, const char* title, int width, int height, Fau
     glfwSetScrollCallback(handle, on_wheel);
     glfwMakeContextCurrent(handle);
     glfwSwapInterval(1);
+}
+
+bool output_window(Output* output, const char* title, int width, int height, Fault* fault) {
+    Window* window = new_array(Window, 1);
+    Creation creation = {title, width, height, window, fault};
+    const bool lost_meanwhile = !display_call(create, &creation);
+    if (lost_meanwhile) {
+        display_abandon();
+        set_lost(fault);
+    }
+    if (lost_meanwhile || !window->window) {
+        free(window);
+        return false;
+    }
     *output = (Output){.self = window,
                        .next = next,
                        .late = late,
                        .present = present,
                        .full_screen = full_screen,
+                       .lost = lost,
                        .close = close_window};
     return true;
 }
