@@ -9,6 +9,7 @@
 #include "contact/broad_phase.h"
 #include "contact/pair.h"
 #include "contact/paper.h"
+#include "contact/reaction.h"
 
 const char* const contact_law_name[CONTACT_LAWS] = {"impulse", "paper"};
 
@@ -19,6 +20,7 @@ void contacts_open(Contacts* contacts, ContactLaw law, double gravity, const Pla
         .gravity = gravity,
         .plane_count = plane_count,
         .plane = new_array(Plane, plane_count),
+        .plane_impulse = new_array(double, (body_count + 1) * plane_count),
         .skin_count = body_count,
         .skin = new_array(ContactSkin, body_count),
     };
@@ -123,8 +125,11 @@ double contacts_velocities(Contacts* contacts, double h) {
     for (int s = 0; s < contacts->sphere_count; s++)
         contacts->sphere[s].v[1] -= (real)(h * contacts->gravity);
     gather(contacts, h);
+    reaction_begin(contacts);
     solve(contacts, h);
-    return limit_drift(contacts, h);
+    h = limit_drift(contacts, h);
+    reaction_end(contacts);
+    return h;
 }
 
 void contacts_drift(Contacts* contacts, double h) {
@@ -141,8 +146,10 @@ void contacts_penalty(Contacts* contacts, double h) {
         return;
     for (int s = 0; s < contacts->sphere_count; s++) {
         Sphere* sphere = &contacts->sphere[s];
+        const real4 before = sphere->v;
         for (int b = 0; b < contacts->skin_count; b++)
             sphere->v += (real)h / sphere->mass * paper_push(sphere, contacts->skin[b].body);
+        sphere->impulse += sphere->mass * (sphere->v - before);
     }
 }
 
@@ -179,6 +186,7 @@ void contacts_close(Contacts* contacts) {
         bullet_balls_close(contacts->balls);
     }
     free(contacts->plane);
+    free(contacts->plane_impulse);
     free(contacts->skin);
     free(contacts->sphere);
     free(contacts->good);

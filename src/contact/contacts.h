@@ -46,6 +46,8 @@ typedef struct Contacts {
     double gravity; ///< [m/s^2] downward, on balls
     int plane_count;
     Plane* plane; ///< [plane_count] floor and walls
+    double*
+        plane_impulse; ///< [(skin_count + 1) * plane_count] of this step (contact/reaction.h) [N s]
     int skin_count;
     ContactSkin* skin; ///< [skin_count]
     int sphere_count;

@@ -2,6 +2,7 @@
 
 #include "base/array.h"
 #include "contact/pair.h"
+#include "contact/reaction.h"
 
 static const real near_share = (real)0.05; ///< [ball radii] from a plane that counts as near
 
@@ -13,7 +14,7 @@ static void stop(Contacts* contacts, double h) {
         const Extent x = extent_of(body->x, body->count), v = extent_of(body->v, body->count);
         for (int k = 0; k < contacts->plane_count; k++)
             if (plane_within(&contacts->plane[k], &x, &v, h))
-                plane_stop(body, &contacts->plane[k], h);
+                *reaction_on(contacts, b, k) += plane_stop(body, &contacts->plane[k], h);
     }
 }
 
@@ -27,7 +28,7 @@ static void add(Contacts* contacts, int row, int b, int feature, double h) {
                          .normal = to_real4(plane->normal),
                          .gap = plane_gap(plane, body->x[i]),
                          .size = (real)INFINITY,
-                         .friction = plane_friction,
+                         .friction = plane->friction,
                          .side = {contacts->sphere_count + b, NONE},
                          .row = row,
                          .pair = b,

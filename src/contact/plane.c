@@ -1,7 +1,5 @@
 #include "contact/plane.h"
 
-const real plane_friction = (real)0.8; // rubber on a dry floor
-
 static const real way_out = (real)0.2; ///< [1] part of a depth that a drift may undo
 static const real way_rate = 20; ///< [1/s] and part in a second, so that short drifts do not kick
 
@@ -13,9 +11,10 @@ bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h
     return !(ddot(plane->normal, nearest - plane->point) > 2 * extent_length(v) * h);
 }
 
-void plane_stop(Body* body, const Plane* plane, double step) {
+double plane_stop(Body* body, const Plane* plane, double step) {
     const real h = (real)step;
     const real4 n = to_real4(plane->normal), point = to_real4(plane->point);
+    double impulse = 0;
     for (int i = 0; i < body->count; i++) {
         const real gap = dot(n, body->x[i] - point);
         const real along = dot(n, body->v[i]);
@@ -27,7 +26,9 @@ void plane_stop(Body* body, const Plane* plane, double step) {
 
         const real4 slide = body->v[i] - along * n;
         const real speed = length(slide);
-        const real kept = speed > plane_friction * stop ? 1 - plane_friction * stop / speed : 0;
+        const real kept = speed > plane->friction * stop ? 1 - plane->friction * stop / speed : 0;
         body->v[i] = (along + stop) * n + kept * slide;
+        impulse += (double)(body->mass[i] * stop);
     }
+    return impulse;
 }

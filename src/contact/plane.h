@@ -9,10 +9,8 @@
 typedef struct Plane {
     double4 point;
     double4 normal; ///< of unit length, to the side where things are
+    real friction;  ///< Coulomb's coefficient of particles on it
 } Plane;
-
-/// Coulomb's coefficient of particles on planes.
-extern const real plane_friction;
 
 /// Distance from a plane, less than 0 behind it [m].
 static inline real plane_gap(const Plane* plane, real4 x) {
@@ -24,7 +22,7 @@ static inline real plane_gap(const Plane* plane, real4 x) {
 bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h);
 
 /// Change velocities so that no particle ends a drift of length h behind the plane. Inelastic; each
-/// particle for itself, so in closed form.
-void plane_stop(Body* body, const Plane* plane, double h);
+/// particle for itself, so in closed form. Returns the sum of the normal impulses [N s].
+double plane_stop(Body* body, const Plane* plane, double h);
 
 #endif

@@ -16,6 +16,7 @@ typedef struct Sphere {
     real mass;        ///< [kg]
     real restitution; ///< of a first hit, 0 sticks, 1 bounces back as fast
     real friction;    ///< Coulomb's coefficient against skins, floor and other spheres
+    real4 impulse;    ///< of all contacts in this step (contact/reaction.h) [N s]
 } Sphere;
 
 /// A ball that does not spin, from the numbers of a scene or a log.
@@ -24,8 +25,8 @@ static inline Sphere sphere_of(const double x[3], const double v[3], double radi
     const real4 position = {(real)x[0], (real)x[1], (real)x[2], 0};
     const real4 velocity = {(real)v[0], (real)v[1], (real)v[2], 0};
     const real4 nothing = {0, 0, 0, 0};
-    const Sphere sphere = {position,   velocity,          nothing,       (real)radius,
-                           (real)mass, (real)restitution, (real)friction};
+    const Sphere sphere = {position,   velocity,          nothing,        (real)radius,
+                           (real)mass, (real)restitution, (real)friction, nothing};
     return sphere; // in order and by name, because C++ has neither designators nor literals
 }
 

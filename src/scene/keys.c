@@ -14,6 +14,8 @@ const char* const precision_name[PRECISIONS] = {"any", "float", "double"};
 #define GROUP(rows, Def)                                                                           \
     { .key = rows, .count = sizeof rows / sizeof rows[0], .size = sizeof(Def) }
 
+#define RUBBER_FRICTION 0.8 // of rubber on a dry floor
+
 // clang-format off
 #define DEF CameraDef
 static const Key camera_row[] = {
@@ -68,7 +70,7 @@ static const Key sphere_row[] = {
     {{"radius", "m", POSITIVE, NAN, "radius"}, KEY_NUMBER, AT(radius), .required = true},
     {{"mass", "kg", POSITIVE, NAN, "mass"}, KEY_NUMBER, AT(mass), .required = true},
     {{"restitution", "1", 0, 1, false, false, false, 0, "Newton's coefficient"}, KEY_NUMBER, AT(restitution)},
-    {{"friction", "1", NOT_NEGATIVE, 0, "Coulomb's coefficient"}, KEY_NUMBER, AT(friction)},
+    {{"friction", "1", NOT_NEGATIVE, 0, "Coulomb's coefficient against skins, floor, walls and, as the geometric mean of both, balls"}, KEY_NUMBER, AT(friction)},
 };
 #undef DEF
 static const KeyGroup sphere_keys = GROUP(sphere_row, SphereDef);
@@ -78,6 +80,7 @@ static const Key wall_row[] = {
     {{"at", "m", ANY, NAN, "a point of the wall"}, KEY_VECTOR, AT(at), .required = true},
     {{"normal", "1", ANY, NAN, "direction to the side of the balloons, of any length but 0"}, KEY_VECTOR,
      AT(normal), .required = true},
+    {{"friction", "1", NOT_NEGATIVE, RUBBER_FRICTION, "Coulomb's coefficient of skins on it"}, KEY_NUMBER, AT(friction)},
 };
 #undef DEF
 static const KeyGroup wall_keys = GROUP(wall_row, WallDef);
@@ -123,6 +126,7 @@ static const Key world_row[] = {
     {{"gravity", "m/s^2", ANY, NAN, "acceleration downward"}, KEY_OPTIONAL, AT(gravity),
      .absent = "9.81, or 9.8 in the paper's units"},
     {{"floor", "m", ANY, NAN, "height of the floor"}, KEY_OPTIONAL, AT(floor), .absent = "no floor"},
+    {{"floor_friction", "1", NOT_NEGATIVE, RUBBER_FRICTION, "Coulomb's coefficient of skins on the floor; a ball has its own"}, KEY_NUMBER, AT(floor_friction)},
     {{"guard", NO_NUMBER, "what to do with a step above the stability bound"}, KEY_NAME, AT(guard),
      .name = guard_name, .name_count = GUARD_COUNT},
     {{"precision", NO_NUMBER, "number type of the state; `any`: that of the program, float for balloon"}, KEY_NAME, AT(precision), .name = precision_name,

@@ -149,8 +149,9 @@ typedef struct SphereDef {
 
 /// `walls:` half-spaces beside the floor.
 typedef struct WallDef {
-    double* at;     ///< [3] a point of the wall, required
-    double* normal; ///< [3] into the free half-space, of any length, required
+    double* at;      ///< [3] a point of the wall, required
+    double* normal;  ///< [3] into the free half-space, of any length, required
+    double friction; ///< Coulomb's coefficient of skins on it
 } WallDef;
 
 /// `pipes:` gas flows from the higher pressure to the lower.
@@ -210,9 +211,10 @@ typedef struct CameraDef {
 typedef struct WorldDef {
     char* title;
     Units units;
-    double step;     ///< [s] required
-    double* gravity; ///< [m/s^2] downward; NULL: 9.81, or 9.8 in the paper's units
-    double* floor;   ///< height of the floor [m]; NULL: none
+    double step;           ///< [s] required
+    double* gravity;       ///< [m/s^2] downward; NULL: 9.81, or 9.8 in the paper's units
+    double* floor;         ///< height of the floor [m]; NULL: none
+    double floor_friction; ///< Coulomb's coefficient of skins on it
     Guard guard;
     Precision precision;
     char* method; ///< a row of the method table; NULL: its first

@@ -1,5 +1,6 @@
 #include "world/outputs.h"
 
+#include "contact/reaction.h"
 #include "force/force.h"
 #include "force/helium.h"
 #include "force/inflation.h"
@@ -139,6 +140,19 @@ static double sphere_component(const OutputSubject* s, bool is_velocity, int axi
     return (double)(is_velocity ? sphere->v : sphere->x)[axis];
 }
 
+/// A component of the force of all contacts on a ball; NAN for a ball that was removed.
+static double sphere_force(const OutputSubject* s, int axis) {
+    const Contacts* contacts = &s->world->contacts;
+    if (s->number >= contacts->sphere_count)
+        return (double)NAN;
+    return (double)contacts->sphere[s->number].impulse[axis] / s->world->step;
+}
+
+/// Normal force on a plane, the floor before the walls.
+static double plane_force(const OutputSubject* s) {
+    return reaction_of_plane(&s->world->contacts, s->number) / s->world->step;
+}
+
 // clang-format off
 #define SUBJECT const OutputSubject* s
 static double seconds(SUBJECT) { return world_time(s->world); }
@@ -150,6 +164,9 @@ static double z(SUBJECT) { return sphere_component(s, false, 2); }
 static double vx(SUBJECT) { return sphere_component(s, true, 0); }
 static double vy(SUBJECT) { return sphere_component(s, true, 1); }
 static double vz(SUBJECT) { return sphere_component(s, true, 2); }
+static double fx(SUBJECT) { return sphere_force(s, 0); }
+static double fy(SUBJECT) { return sphere_force(s, 1); }
+static double fz(SUBJECT) { return sphere_force(s, 2); }
 #undef SUBJECT
 
 #define BALLOON const Balloon* b
@@ -186,6 +203,8 @@ const char* const output_prefix[OUTPUT_KINDS] = {
     [OF_STRING] = "balloonN.stringK.",
     [OF_SPHERE] = "sphereN.",
     [OF_SPHERES] = "",
+    [OF_FLOOR] = "floor.",
+    [OF_WALL] = "wallN.",
     [OF_GUARD] = "guard.",
 };
 
@@ -226,7 +245,12 @@ const Output output_table[] = {
     {"vx", "m/s", "velocity of a ball, x", OF_SPHERE, .value = vx},
     {"vy", "m/s", "velocity of a ball, y", OF_SPHERE, .value = vy},
     {"vz", "m/s", "velocity of a ball, z", OF_SPHERE, .value = vz},
+    {"fx", "N", "force of all contacts on a ball, mean of the last step, x", OF_SPHERE, .value = fx},
+    {"fy", "N", "that force, y; its weight does not count", OF_SPHERE, .value = fy},
+    {"fz", "N", "that force, z", OF_SPHERE, .value = fz},
     {"pass_throughs", "1", "times that a ball has passed through a skin", OF_SPHERES, .value = pass_throughs},
+    {"force", "N", "normal force of skins and balls on the floor, mean of the last step", OF_FLOOR, .value = plane_force},
+    {"force", "N", "normal force on a wall, mean of the last step", OF_WALL, .value = plane_force},
     {"taken_back", "1", "steps that gained energy, and were made again in shorter substeps", OF_GUARD, .value = taken_back},
 };
 #undef Q
@@ -240,7 +264,8 @@ double output_value(const Output* output, const OutputSubject* subject) {
 void outputs_reference(FILE* out) {
     fputs(
         "\n### Outputs: the columns of `--csv`\n\n"
-        "N is the number of a balloon or ball, K that of a string, from 0. A column is there\n"
+        "N is the number of a balloon, ball or wall, K that of a string, from 0. A column is "
+        "there\n"
         "where the scene models it: a volume of closed skins, iterations of methods that iterate,\n"
         "the guard's where it may split a step.\n"
         "\n| column | unit | meaning |\n|---|---|---|\n",

@@ -10,13 +10,15 @@
 #include "world/world.h"
 
 /// The subject of a row: the time, each balloon, each string of a balloon, each ball, all balls
-/// together, or the guard of the step.
+/// together, the floor, each wall, or the guard of the step.
 typedef enum OutputKind {
     OF_TIME,
     OF_BALLOON,
     OF_STRING,
     OF_SPHERE,
     OF_SPHERES,
+    OF_FLOOR,
+    OF_WALL,
     OF_GUARD,
     OUTPUT_KINDS
 } OutputKind;
@@ -28,7 +30,7 @@ extern const char* const output_prefix[OUTPUT_KINDS];
 typedef struct OutputSubject {
     const World* world;
     const Balloon* balloon; ///< for OF_BALLOON and OF_STRING
-    int number;             ///< number of the string or the ball
+    int number;             ///< number of the string, ball or plane
 } OutputSubject;
 
 typedef struct Output {

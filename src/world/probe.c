@@ -40,6 +40,22 @@ static bool walk_balloon(OutputSubject* subject, int b, Visit visit, void* self)
     return false;
 }
 
+/// The floor is the first plane of a world that has one.
+static bool walk_planes(OutputSubject* subject, Visit visit, void* self) {
+    const WorldDef* def = &subject->world->def;
+    char prefix[48];
+    subject->number = 0;
+    if (def->floor && walk_rows(OF_FLOOR, output_prefix[OF_FLOOR], subject, visit, self))
+        return true;
+    for (unsigned w = 0; w < def->walls_count; w++) {
+        subject->number = (int)w + (def->floor ? 1 : 0);
+        snprintf(prefix, sizeof prefix, "wall%u.", w);
+        if (walk_rows(OF_WALL, prefix, subject, visit, self))
+            return true;
+    }
+    return false;
+}
+
 /// spheres: number of balls with columns.
 static bool walk(const World* world, int spheres, Visit visit, void* self) {
     OutputSubject subject = {.world = world};
@@ -56,6 +72,8 @@ static bool walk(const World* world, int spheres, Visit visit, void* self) {
             return true;
     }
     if (spheres > 0 && walk_rows(OF_SPHERES, "", &subject, visit, self))
+        return true;
+    if (walk_planes(&subject, visit, self))
         return true;
     return guard_splits(&world->guard, world->method) &&
            walk_rows(OF_GUARD, output_prefix[OF_GUARD], &subject, visit, self);

@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "base/memory.h"
 #include "contact/ball_start.h"
+#include "contact/reaction.h"
 #include "force/inflation.h"
 #include "world/command.h"
 #include "world/rest.h"
@@ -24,12 +25,15 @@ static void open_contacts(World* world) {
     Plane* plane = new_array(Plane, def->walls_count + 1);
     int planes = 0;
     if (def->floor)
-        plane[planes++] = (Plane){.point = {0, *def->floor, 0, 0}, .normal = {0, 1, 0, 0}};
+        plane[planes++] = (Plane){.point = {0, *def->floor, 0, 0},
+                                  .normal = {0, 1, 0, 0},
+                                  .friction = (real)def->floor_friction};
     for (unsigned w = 0; w < def->walls_count; w++) {
         const double *point = def->walls[w].at, *n = def->walls[w].normal;
         const double4 normal = {n[0], n[1], n[2], 0};
-        plane[planes++] =
-            (Plane){.point = {point[0], point[1], point[2], 0}, .normal = normal / dlength(normal)};
+        plane[planes++] = (Plane){.point = {point[0], point[1], point[2], 0},
+                                  .normal = normal / dlength(normal),
+                                  .friction = (real)def->walls[w].friction};
     }
     contacts_open(&world->contacts, def->contact, scene_gravity(def), plane, planes,
                   world->system.body, (const real4* const*)world->system.v_start,
@@ -216,6 +220,7 @@ static void update_guard(World* world) {
 /// The step in equal substeps; where the bound falls meanwhile, the rest of it in shorter ones.
 static void make_substeps(World* world) {
     StepGuard* guard = &world->guard;
+    reaction_clear(&world->contacts);
     int parts = guard->substeps, remaining = parts;
     double h = world->step / parts;
     while (remaining > 0 && !world->blowup.halted) {

@@ -73,7 +73,8 @@ static void a_kick_ends_with_velocities_that_respect_contacts(void** state) {
         System system;
         Contacts contacts;
         SolveStats stats;
-        const Plane floor = {.point = {0, -height, 0, 0}, .normal = {0, 1, 0, 0}};
+        const Plane floor = {
+            .point = {0, -height, 0, 0}, .normal = {0, 1, 0, 0}, .friction = (real)0.8};
         system_open(&system, 1);
         system.body[0] = &body;
         system.workspace[0] = method_table[m]->open ? method_table[m]->open(&body, &usual) : NULL;

@@ -1,0 +1,26 @@
+/// Forces of contacts: impulses of a step over its length.
+///
+/// A plane has the sum of the normal impulses of what it stops, skin by skin and of all balls
+/// together; a ball has the change of its momentum by contacts, of its weight not. A skin that sleeps
+/// presses on as in its last step.
+#ifndef BALLOON_CONTACT_REACTION_H
+#define BALLOON_CONTACT_REACTION_H
+
+#include "contact/contacts.h"
+
+/// Normal impulse that a skin has given to a plane in this step; skin == skin_count: all balls [N s].
+static inline double* reaction_on(Contacts* contacts, int skin, int plane) {
+    return &contacts->plane_impulse[skin * contacts->plane_count + plane];
+}
+
+/// Forget the impulses of the last step, but not those of sleeping skins.
+void reaction_clear(Contacts* contacts);
+
+/// Before and after the solve of the contacts: count what it changes.
+void reaction_begin(Contacts* contacts);
+void reaction_end(Contacts* contacts);
+
+/// Normal impulse on a plane in this step [N s].
+double reaction_of_plane(const Contacts* contacts, int plane);
+
+#endif

@@ -1,0 +1,126 @@
+/// Forces of contacts, as columns of the CSV, against weights and closed forms; friction of planes.
+#include "worlds.h"
+
+/// The scenes of these tests: rubber, gas, no friction but what a test sets.
+#define SKIN                                                                                       \
+    "    skin: {membrane: {material: neo-hookean, young: 1e6, density: 1000, thickness: 3e-4}}\n"
+static const char* const plates = "step: 5e-4\ngravity: 0\nfloor: -0.1\nfloor_friction: 0\n"
+                                  "walls: [{at: [0, 0.1, 0], normal: [0, -1, 0], friction: 0}]\n"
+                                  "balloons:\n  - model: icosphere:3\n    scale: 0.1\n" SKIN
+                                  "    inflation: {law: gas, amount: 2}\n    damping: {rate: 50}\n";
+static const char* const resting =
+    "step: 5e-4\nfloor: 0\nfloor_friction: 0\n"
+    "balloons:\n  - model: cube-sphere:10\n    position: [0, 0.15, 0]\n    scale: 0.15\n" SKIN
+    "    inflation: {law: gas, amount: 1.01}\n    damping: {rate: 20}\n";
+
+#define OPEN_TEXT(world, text, ...)                                                                \
+    open_text((world), (text), (const char* const[]){__VA_ARGS__, NULL})
+static void open_text(World* world, const char* text, const char* const* set) {
+    char path[64];
+    snprintf(path, sizeof path, "/tmp/balloon-reaction-%ld.yaml", (long)getpid());
+    FILE* out = fopen(path, "w");
+    assert_non_null(out);
+    assert_true(fputs(text, out) >= 0 && fclose(out) == 0);
+    world_of(world, path, set);
+    remove(path);
+}
+
+static double weight(const World* world) {
+    const Body* body = &world->balloon[0].body;
+    double mass = 0;
+    for (int i = 0; i < body->count; i++)
+        mass += (double)body->mass[i];
+    return mass * body->gravity;
+}
+
+/// Bounds on the area on which the floor acts: that of particles whose triangles all lie on it, a
+/// third of each triangle, and that of all triangles that touch it [m^2].
+static void touching_areas(const World* world, double* inner, double* outer) {
+    const Body* body = &world->balloon[0].body;
+    bool* rim = calloc((size_t)body->count, sizeof *rim); // or off the floor
+    double* area = calloc((size_t)body->count, sizeof *area);
+    *inner = *outer = 0;
+    for (int t = 0; t < body->mesh->triangle_count; t++) {
+        const int* corner = body->mesh->triangle[t];
+        const real4 a = body->x[corner[0]], b = body->x[corner[1]], c = body->x[corner[2]];
+        const double size = (double)length(cross(b - a, c - a)) / 2;
+        int touching = 0;
+        for (int k = 0; k < 3; k++)
+            touching += plane_gap(&world->contacts.plane[0], body->x[corner[k]]) <= (real)1e-6;
+        for (int k = 0; k < 3; k++) {
+            rim[corner[k]] |= touching < 3;
+            area[corner[k]] += size / 3;
+        }
+        *outer += touching > 0 ? size : 0;
+    }
+    for (int i = 0; i < body->count; i++)
+        *inner += rim[i] ? 0 : area[i];
+    free(rim);
+    free(area);
+}
+
+/// The floor carries the weight, and after the balloon has fallen asleep, too.
+static void balloon_at_rest_presses_with_its_weight(void** state) {
+    (void)state;
+    World world;
+    OPEN_TEXT(&world, resting, "sleep_threshold=0.01");
+    run_for(&world, 1);
+    assert_close(probe(&world, "floor.force"), weight(&world), 1e-3);
+    run_for(&world, 1);
+    assert_true(world.balloon[0].body.asleep);
+    assert_close(probe(&world, "floor.force"), weight(&world), 1e-3);
+    world_close(&world);
+}
+
+/// Between frictionless plates, against an axisymmetric membrane solver: the pressure has the order 2
+/// of the mesh, 0.4 % here. The force is p A, A the area of the flat part, whose rim runs through
+/// triangles: its error is that of a ring of them, and larger where the flat part is smaller.
+static void plates_feel_pressure_times_area(void** state) {
+    (void)state;
+    static const struct {
+        const char *floor, *wall;
+        double force, pressure, tolerance;
+    } at[] = {{"floor=-0.115", "walls.0.at=[0, 0.115, 0]", 2.710, 1214.015, 0.02},
+              {"floor=-0.09", "walls.0.at=[0, 0.09, 0]", 16.838, 1365.883, 0.003}};
+    for (int k = 0; k < 2; k++) {
+        World world;
+        OPEN_TEXT(&world, plates, at[k].floor, at[k].wall);
+        run_for(&world, 0.5);
+        const double pressure = probe(&world, "balloon0.gauge_pressure");
+        const double force = probe(&world, "floor.force");
+        assert_close(pressure, at[k].pressure, 0.005);
+        assert_close(force, at[k].force, at[k].tolerance);
+        assert_close(force, probe(&world, "wall0.force"), 1e-3);
+        double inner, outer;
+        touching_areas(&world, &inner, &outer);
+        assert_less(pressure * inner, force);
+        assert_less(force, pressure * outer);
+        world_close(&world);
+    }
+}
+
+/// A ball on the floor: its weight, equal and opposite; one in flight: nothing.
+static void ball_feels_the_floor(void** state) {
+    (void)state;
+    World world;
+    OPEN_TEXT(&world, resting,
+              "spheres=[{position: [2, 0.1, 0], radius: 0.1, mass: 3}, "
+              "{position: [3, 9, 0], radius: 0.1, mass: 3}]");
+    run_for(&world, 0.05);
+    const double ball = 3 * 9.81;
+    assert_close(probe(&world, "sphere0.fy"), ball, 1e-5);
+    assert_near(probe(&world, "sphere0.fx"), 0, 1e-5);
+    assert_near(probe(&world, "sphere1.fy"), 0, 0);
+    run_for(&world, 0.95);
+    assert_close(probe(&world, "floor.force"), ball + weight(&world), 1e-3);
+    world_close(&world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(balloon_at_rest_presses_with_its_weight),
+        cmocka_unit_test(plates_feel_pressure_times_area),
+        cmocka_unit_test(ball_feels_the_floor),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
