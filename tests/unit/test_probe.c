@@ -48,12 +48,14 @@ static void balls_of_the_scene_have_columns_in_order(void** state) {
     WORLD_OF(&world, "tether", two_balls);
     csv(&world, text);
     const char* want = ",sphere0.x,sphere0.y,sphere0.z,sphere0.vx,sphere0.vy,sphere0.vz,"
+                       "sphere0.fx,sphere0.fy,sphere0.fz,"
                        "sphere1.x,sphere1.y,sphere1.z,sphere1.vx,sphere1.vy,sphere1.vz,"
-                       "pass_throughs,guard.taken_back\n";
+                       "sphere1.fx,sphere1.fy,sphere1.fz,"
+                       "pass_throughs,floor.force,guard.taken_back\n";
     const char* row = strchr(text, '\n') + 1;
     assert_int_equal(strncmp(row - strlen(want), want, strlen(want)), 0);
 
-    const char* numbers = ",3,1,0.5,-1,0.25,2,-3,1,0,0,0,0,0,0\n";
+    const char* numbers = ",3,1,0.5,-1,0.25,2,0,0,0,-3,1,0,0,0,0,0,0,0,0,0,0\n";
     assert_string_equal(text + strlen(text) - strlen(numbers), numbers);
     world_close(&world);
 }
