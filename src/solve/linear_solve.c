@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/interrupt.h"
 #include "base/memory.h"
 #include "force/damping.h"
 
@@ -101,7 +102,7 @@ static bool conjugate_gradients(LinearSolve* linear, const Body* body, double h,
     double squared = precondition(linear, body);
     const double squared_max = squared * tolerance * tolerance;
     memcpy(linear->direction, linear->preconditioned, (size_t)n * sizeof *linear->direction);
-    for (int k = 0; k < PRODUCTS_MAX; k++) {
+    for (int k = 0; k < PRODUCTS_MAX && !interrupt_signal(); k++) {
         if (squared <= squared_max && inverse_mass_norm(body, linear->residual) <= norm_max)
             break;
         multiply(linear, body, h);

@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/interrupt.h"
 #include "base/memory.h"
 #include "force/damping.h"
 #include "solve/linear_solve.h"
@@ -148,7 +149,7 @@ static bool iterate(Body* body, Workspace* workspace, double size, double h, Sol
         return false;
     const double scale = fmax(size, residual_scale(body, h));
     double size_max = fixed_count ? -1 : solver->tolerance * scale;
-    while (stats->iterations < solver->iterations && size > size_max) {
+    while (stats->iterations < solver->iterations && size > size_max && !interrupt_signal()) {
         const double rounding = linear_solve_update(&workspace->linear, body, h);
         if (!(rounding < INFINITY)) // beyond the state's precision everything would be solved
             return false;

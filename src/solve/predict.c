@@ -117,7 +117,10 @@ static double step_residual(Predict* predict, Body* body, double h) {
 
 bool predict_is_solved(Predict* predict, Body* body, double h, double residual_max) {
     StepCheck* check = &predict->check;
-    if (!(residual_max > 0) || (h <= check->longest && ++check->age < CHECK_INTERVAL))
+    check->age++;
+    check->seconds += h;
+    if (!(residual_max > 0) ||
+        (h <= check->longest && check->age < CHECK_INTERVAL && check->seconds < CHECK_SECONDS))
         return true;
     *check = (StepCheck){.residual = step_residual(predict, body, h)};
     if (!(check->residual <= residual_max)) // written so that a NaN fails

@@ -14,12 +14,15 @@
 
 #include "solve/method.h"
 
-/// When a step was last measured against Solver.residual_max: every CHECK_INTERVAL steps, and every
-/// step longer than the last one that was good, for a measurement costs as much as a step.
+/// When a step was last measured against Solver.residual_max: every CHECK_INTERVAL steps, every
+/// CHECK_SECONDS, and every step longer than the last one that was good, for a measurement costs as
+/// much as a step. Within 64 steps of 0.2 s a balloon can be filled and burst.
 enum { CHECK_INTERVAL = 64 };
+#define CHECK_SECONDS 0.1
 typedef struct StepCheck {
     double longest;  ///< step that was good [s]
     int age;         ///< steps since
+    double seconds;  ///< simulated time since [s]
     double residual; ///< then [1]
 } StepCheck;
 

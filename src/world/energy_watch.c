@@ -181,6 +181,7 @@ static Balance measure_balance(World* world) {
 }
 
 void energy_watch_start(World* world) {
+    world->guard.made_again = false;
     world->watch.on = is_watched(world);
     world->watch.separation_work = world->contacts.separation_work;
     if (world->watch.on)

@@ -46,7 +46,7 @@ static void set_substeps(StepGuard* guard, int wanted) {
         return;
     }
     guard->calm_substeps = wanted > guard->calm_substeps ? wanted : guard->calm_substeps;
-    if (++guard->calm_looks < HOLD_LOOKS)
+    if (++guard->calm_looks < HOLD_LOOKS || guard->made_again)
         return;
     guard->refinement = guard->refinement > 1 ? guard->refinement / 2 : 1;
     guard->substeps = guard->calm_substeps;
@@ -83,6 +83,7 @@ GuardVerdict guard_update(StepGuard* guard, const Method* method, const System* 
 bool guard_refine(StepGuard* guard) {
     if (guard->refinement >= REFINEMENT_MAX || guard->substeps > SUBSTEPS_MAX / 2)
         return false;
+    guard->made_again = true;
     guard->refinement *= 2;
     guard->substeps *= 2;
     guard->calm_looks = guard->calm_substeps = 0;

@@ -46,6 +46,7 @@ typedef struct StepGuard {
     int calm_substeps; ///< largest number that those looks asked for
     int noticed;       ///< substeps of the last notice
     int refinement;    ///< substeps are multiplied by it: a power of 2, by the energy watch
+    bool made_again;   ///< this step was taken back: its substeps stay as short as they are
     long taken_back;   ///< steps that the energy watch has taken back
 } StepGuard;
 

@@ -6,6 +6,7 @@
 
 #include "base/crew.h"
 #include "base/hash.h"
+#include "base/interrupt.h"
 #include "base/memory.h"
 #include "contact/ball_start.h"
 #include "contact/reaction.h"
@@ -14,6 +15,7 @@
 #include "world/rest.h"
 
 enum { SPLITS_MAX = 1024 };    ///< a method that cannot solve 1/1024 of a step fails
+enum { SPLITS_SLOW = 64 };     ///< a step made in as many parts is said to be slow
 enum { SUBSTEPS_NEAR = 4096 }; ///< most substeps near balls; the rest of the step is dropped
 
 /// A remainder of a step that is only rounding. [of the step]
@@ -174,18 +176,29 @@ static void drift(World* world, double h) {
     world->drift = h;
 }
 
+/// Whether the world has halted, or a run that was asked to end leaves its step: some take minutes.
+static bool is_over(const World* world) {
+    return world->blowup.halted || interrupt_signal();
+}
+
 /// Kick by h, or by the first half, quarter … of h that the method can solve. Returns the length of
 /// the drift, or 0 where the method cannot solve the shortest substep.
 static double kick(World* world, double h, double whole) {
     double length;
     while (!world->method->kick(world->method, &world->system, &world->contacts, h, &length)) {
         notice_factored(world, h);
+        if (interrupt_signal())
+            return 0;
         if (h < whole / SPLITS_MAX) {
             blowup_unsolved(world, world->system.unsolved, h);
             return 0;
         }
         h /= 2;
         world->solvable = h / whole;
+        if (h * SPLITS_SLOW == whole)
+            snprintf(world->notice, sizeof world->notice,
+                     "method '%s' does not solve step %ld in less than %d parts, which is slow",
+                     world->method->name, world->step_count, SPLITS_SLOW);
     }
     notice_factored(world, h);
     return length;
@@ -198,7 +211,7 @@ static void advance(World* world, double h) {
     for (int parts = 0; h > whole * rounding && parts < SUBSTEPS_NEAR; parts++) {
         const double safe = contacts_safe_step(&world->contacts, fmin(h, world->solvable * whole));
         const double length = kick(world, safe, whole);
-        if (world->blowup.halted)
+        if (is_over(world))
             return;
         drift(world, length);
         h -= length;
@@ -223,12 +236,14 @@ static void make_substeps(World* world) {
     reaction_clear(&world->contacts);
     int parts = guard->substeps, remaining = parts;
     double h = world->step / parts;
-    while (remaining > 0 && !world->blowup.halted) {
+    while (remaining > 0 && !is_over(world)) {
         advance(world, h);
         guard->since_look++;
         remaining--;
-        if (world->blowup.halted || remaining == 0 || !guard_due_within(guard))
+        if (is_over(world) || remaining == 0 || !guard_due_within(guard))
             continue;
+        if (blowup_is_bad(world)) // it has no bound, and is taken back or named below
+            return;
         update_guard(world);
         if (guard->substeps > parts) {
             parts = guard->substeps;
@@ -256,8 +271,8 @@ void world_step(World* world) {
     energy_watch_start(world);
     do
         make_substeps(world);
-    while (energy_watch_takes_back(world));
-    if (world->blowup.halted)
+    while (!is_over(world) && energy_watch_takes_back(world));
+    if (is_over(world))
         return;
     world->step_count++;
 

@@ -103,6 +103,10 @@ if [ -z "${SHORT:-}" ]; then
 fi
 ok "a bench says where a frame's time goes" grep -qE "^party +9850  resolve +[0-9.]+ " \
     <("$balloon" bench frame --quick --out "$scratch/bench")
+ok "no step of a scene is wrong under the guard" grep -qE "^[0-9]+ cells, 0 of them WRONG$" <("$balloon" bench guard --quick)
+ok "no value of a scene makes it end wrongly" grep -qE "^[0-9]+ scenes: .* 0 WRONG$" <("$balloon" bench scenes --quick)
+ok "and a scene of the storm can be seen alone" grep -qE "^  balloon run .* --set=" <("$balloon" bench scenes --only 2)
+bad "is not a seed" "$balloon" bench scenes --only x
 bad "no such bench" "$balloon" bench nothing
 
 # --- an install

@@ -5,7 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "lab/run/launch.h"
+#include "lab/run/bounded_run.h"
 #include "law.h"
 
 static Launch shell(const char* script) {
@@ -81,6 +81,65 @@ static void a_limit_of_cpu_time_ends_a_run(void** state) {
     launch_free(&launch);
 }
 
+/// A run that answers ends as it says; one that does not is ended.
+static void a_run_is_asked_to_end_before_it_is_ended(void** state) {
+    (void)state;
+    Launch launch = shell("trap 'echo so far; exit 5' TERM; while :; do :; done");
+    launch.cpu_ask = 0.1;
+    launch.cpu_max = 20;
+    run(&launch);
+    assert_true(WIFEXITED(launch.status) && WEXITSTATUS(launch.status) == 5);
+    assert_string_equal(launch.out, "so far\n");
+    launch_free(&launch);
+
+    launch = shell("trap '' TERM; while :; do :; done");
+    launch.cpu_ask = 0.1;
+    launch.cpu_max = 0.2;
+    run(&launch);
+    assert_true(WIFSIGNALED(launch.status) && WTERMSIG(launch.status) == SIGKILL);
+    launch_free(&launch);
+}
+
+/// What bounded_run_ending makes of a run with this script.
+static Ending ending_of(const char* script, char text[ENDING_TEXT]) {
+    Launch launch = shell(script);
+    Report report;
+    launch.cpu_ask = 0.1;
+    launch.cpu_max = 0.2;
+    run(&launch);
+    report_read(&report, &launch);
+    const Ending ending = bounded_run_ending(&launch, &report, text);
+    report_free(&report);
+    launch_free(&launch);
+    return ending;
+}
+
+static void a_bounded_run_is_classed_by_its_end(void** state) {
+    (void)state;
+    static const struct {
+        Ending ending;
+        const char *text, *script;
+    } table[] = {
+        {ENDING_GOOD, "", "echo t,x; echo 0,1; echo 1,2"},
+        {ENDING_WRONG, "x is not finite", "echo t,x; echo 0,1; echo 1,nan"},
+        {ENDING_WRONG, "x is not finite", "echo t,x; echo 0,1; echo 1,-inf"},
+        {ENDING_WRONG, "", "echo t,x; echo 0,1"},
+        {ENDING_WRONG, "exit status 3 without a sentence", "exit 3"},
+        {ENDING_WRONG, "signal 11", "kill -SEGV $$"},
+        {ENDING_WRONG, "no answer in 0.2 s of CPU time", "trap '' TERM; while :; do :; done"},
+        {ENDING_LONG, "at 3 s",
+         "trap 'echo balloon: at 3 s >&2; exit 143' TERM; while :; do :; done"},
+        {ENDING_REFUSED, "no such scene", "echo balloon: no such scene >&2; exit 1"},
+        {ENDING_STOPPED, "it exploded",
+         "echo t,x; echo 0,1; echo balloon: note >&2; echo balloon: it exploded >&2; exit 1"},
+    };
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
+        char text[ENDING_TEXT];
+        assert_int_equal(ending_of(table[k].script, text), table[k].ending);
+        assert_string_equal(text, table[k].text);
+    }
+}
+
 static void a_limit_of_time_ends_a_run_that_waits(void** state) {
     (void)state;
     Launch launch = shell("exec sleep 600");
@@ -135,6 +194,8 @@ int main(void) {
         cmocka_unit_test(each_of_several_has_its_own_output),
         cmocka_unit_test(what_is_no_program_is_said),
         cmocka_unit_test(a_limit_of_cpu_time_ends_a_run),
+        cmocka_unit_test(a_run_is_asked_to_end_before_it_is_ended),
+        cmocka_unit_test(a_bounded_run_is_classed_by_its_end),
         cmocka_unit_test(a_limit_of_time_ends_a_run_that_waits),
         cmocka_unit_test(a_run_ends_with_its_parent),
     };

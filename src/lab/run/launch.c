@@ -71,7 +71,8 @@ static int start_process(Launch* launch) {
     fcntl(failed[0], F_SETFD, FD_CLOEXEC);
     // its CPU time is watched from here: a limit of the system would make the clock coarse by which
     // a run measures itself
-    launch->process = child_fork(&(ChildLimits){.bytes = LAUNCH_BYTES_MAX});
+    launch->process =
+        child_fork(&(ChildLimits){.bytes = launch->bytes > 0 ? launch->bytes : LAUNCH_BYTES_MAX});
     if (launch->process == 0)
         become(launch, failed[1]);
     if (launch->process < 0)
@@ -89,6 +90,7 @@ bool launch_begin(Launch* launch, Fault* fault) {
     launch->out_file = tmpfile();
     launch->err_file = tmpfile();
     launch->start = clock_seconds(CLOCK_MONOTONIC);
+    launch->asked = false;
     const int reason = start_process(launch);
     if (!reason)
         return true;
@@ -100,17 +102,22 @@ bool launch_begin(Launch* launch, Fault* fault) {
     return fault_set(fault, launch->word[0], "cannot be started: %s", strerror(reason));
 }
 
-static bool is_over_its_limits(const Launch* launch) {
+/// Ask a run to end, or end it, that is over its limits.
+static void hold_limits(Launch* launch) {
+    const double wall = clock_seconds(CLOCK_MONOTONIC) - launch->start;
     const double cpu_max = launch->cpu_max > 0 ? launch->cpu_max : LAUNCH_CPU_MAX;
-    clockid_t cpu;
-    return (launch->wall_max > 0 &&
-            clock_seconds(CLOCK_MONOTONIC) - launch->start > launch->wall_max) ||
-           (clock_getcpuclockid(launch->process, &cpu) == 0 && clock_seconds(cpu) > cpu_max);
+    clockid_t clock;
+    const double cpu = clock_getcpuclockid(launch->process, &clock) == 0 ? clock_seconds(clock) : 0;
+    if ((launch->wall_max > 0 && wall > launch->wall_max) || cpu > cpu_max)
+        kill(launch->process, SIGKILL);
+    else if (launch->cpu_ask > 0 && cpu > launch->cpu_ask && !launch->asked) {
+        launch->asked = true; // a second request would end the program at once
+        kill(launch->process, SIGTERM);
+    }
 }
 
 bool launch_has_ended(Launch* launch) {
-    if (is_over_its_limits(launch))
-        kill(launch->process, SIGKILL);
+    hold_limits(launch);
     const pid_t ended = waitpid(launch->process, &launch->status, WNOHANG);
     if (ended != launch->process)
         return false;

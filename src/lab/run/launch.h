@@ -17,14 +17,17 @@ extern const unsigned long LAUNCH_BYTES_MAX; ///< address space of a run [bytes]
 typedef struct Launch {
     char* word[LAUNCH_WORDS + 1]; ///< program and arguments, then NULL; owned
     int words;
-    double cpu_max;  ///< CPU time after which the run is ended [s]; 0: the default
-    double wall_max; ///< time after which it is ended [s]; 0: none
-    int status;      ///< as waitpid() has it
-    char* out;       ///< all that it printed on standard output; owned
-    char* err;       ///< and on standard error; owned
+    double cpu_ask;      ///< CPU time after which SIGTERM asks it to end [s]; 0: never
+    double cpu_max;      ///< CPU time after which the run is ended [s]; 0: the default
+    double wall_max;     ///< time after which it is ended [s]; 0: none
+    unsigned long bytes; ///< address space [bytes]; 0: the default
+    int status;          ///< as waitpid() has it
+    char* out;           ///< all that it printed on standard output; owned
+    char* err;           ///< and on standard error; owned
 
     // while it runs
     pid_t process; ///< 0: it does not run
+    bool asked;    ///< to end
     double start;  ///< of the clock that is monotonic [s]
     FILE* out_file;
     FILE* err_file;

@@ -1,0 +1,220 @@
+/// What the guard holds: each shipped scene by each method at its own step and at 10 and 100 times
+/// that, with `guard: split`, for its whole length.
+///
+/// A cell is kept where the run ends and each balloon's last volume, of an open one the area, is
+/// right within 10 VOLUME_TOLERANCE: it lies so near the range of volumes that the reference has in
+/// the second half of the scene. The reference is the scene by its own method, at half its own step,
+/// in double. Where the scene is at rest by then the range is one volume; where it rings, methods
+/// damp it more or less. A cell may also stop or be refused with a sentence. It may not end with exit
+/// status 0 and another volume. A run that takes too long for the table says at its limit how far it is.
+///
+/// The scenes of the museum of failures are left out: they fail by what they are made for, and the
+/// tests run each of them.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/paths.h"
+#include "lab/bench/bench.h"
+#include "lab/run/bounded_run.h"
+#include "scene/scene.h"
+#include "solve/method.h"
+
+enum { FACTORS = 3, CELLS_MAX = 32, PARALLEL = 2, ROWS = 64 };
+static const double factor_table[FACTORS] = {1, 10, 100}; ///< of the scene's own step
+
+static const double volume_tolerance = 0.01; ///< of the larger of the first and the last volume [1]
+static const double cpu_max = 60;            ///< of a run [s]
+static const double cpu_quick = 1;           ///< of a run of the quick form [s]
+static const double cpu_reference = 600;     ///< of a reference [s]
+
+/// The quick form: small scenes, one of each kind of skin, inflation and contact.
+static const char* const quick_scene[] = {"exact-cube",  "limit-rubber", "limit-springs",
+                                          "sewn-discs",  "sphere-curve", "sphere-gas",
+                                          "spring-kinds"};
+
+typedef struct Cell {
+    const Method* method;
+    double factor;
+} Cell;
+
+/// A scene with its own step, method and length.
+typedef struct GuardScene {
+    char name[256];
+    const char* method;
+    double step, seconds;
+    unsigned balloons;
+} GuardScene;
+
+/// Endings of all cells of a method and a factor.
+typedef struct Counts {
+    int ending[ENDINGS];
+} Counts;
+
+typedef struct Table {
+    const BenchOptions* options;
+    char program[2][512]; ///< float, double
+    Counts counts[CELLS_MAX];
+    int cells, wrong;
+} Table;
+
+static bool load_scene(const char* path, GuardScene* scene, Fault* fault) {
+    WorldDef def;
+    scene_name(path, scene->name);
+    if (!scene_load(scene->name, NULL, 0, &def, fault))
+        return false;
+    const Method* method = def.method ? method_find(def.method) : method_table[0];
+    scene->method = method->name;
+    scene->step = def.step;
+    scene->seconds = def.seconds;
+    scene->balloons = def.balloons_count;
+    scene_free(&def);
+    return true;
+}
+
+static void add_run(const Table* table, Launch* launch, const GuardScene* scene, bool in_double,
+                    const char* method, double step) {
+    bounded_run(launch, table->program[in_double], scene->name, scene->seconds, ROWS,
+                table->options->quick ? cpu_quick : cpu_max);
+    launch_add(launch, "--guard=split");
+    launch_add(launch, "--method=%s", method);
+    launch_add(launch, "--step=%.17g", step);
+}
+
+/// How far a value lies outside the range of a column in the second half of the reference, relative
+/// to the column's largest number [1].
+static double distance_from(const Report* reference, const char* column, double value) {
+    double low = INFINITY, high = -INFINITY, size = 0;
+    for (int r = 0; r < reference->rows; r++) {
+        const double now = report_at(reference, column, r);
+        size = fmax(size, fabs(now));
+        low = 2 * r < reference->rows ? low : fmin(low, now);
+        high = 2 * r < reference->rows ? high : fmax(high, now);
+    }
+    return fmax(fmax(low - value, value - high), 0) / size;
+}
+
+/// Largest error of the balloons' last volumes, or areas [1].
+static double volume_error(const Report* run, const Report* reference, unsigned balloons) {
+    double worst = 0;
+    for (unsigned b = 0; b < balloons; b++) {
+        char column[32];
+        snprintf(column, sizeof column, "balloon%u.volume", b);
+        if (isnan(report_at(reference, column, 0)))
+            snprintf(column, sizeof column, "balloon%u.area", b);
+        const double error = distance_from(reference, column, report_at(run, column, -1));
+        worst = error > worst || isnan(error) ? error : worst;
+    }
+    return worst;
+}
+
+static void print_cell(Table* table, const GuardScene* scene, int cell, const Cell* of,
+                       const Launch* launch, const Report* reference) {
+    Report report;
+    char text[ENDING_TEXT];
+    report_read(&report, launch);
+    Ending ending = bounded_run_ending(launch, &report, text);
+    double error = (double)NAN;
+    if (ending == ENDING_GOOD) {
+        error = volume_error(&report, reference, scene->balloons);
+        if (!(error <= 10 * volume_tolerance)) {
+            ending = ENDING_WRONG;
+            snprintf(text, sizeof text, "the volume is off by %.3g %%", 100 * error);
+        }
+    }
+    table->counts[cell].ending[ending]++;
+    table->wrong += ending == ENDING_WRONG;
+    printf("%s,%s,%g,%g,%s,%.3g,%.4g,%d,%g,\"%s\"\n", scene->name, of->method->name, of->factor,
+           of->factor * scene->step, ending == ENDING_GOOD ? "kept" : ending_name[ending], error,
+           report.ms * scene->seconds / 1e3, report.substeps,
+           report_at(&report, "guard.taken_back", -1), text);
+    fflush(stdout);
+    report_free(&report);
+}
+
+/// The reference and all cells of a scene, those of a word.
+static bool measure_scene(Table* table, const GuardScene* scene, Fault* fault) {
+    Launch launch[CELLS_MAX + 1];
+    Cell cell[CELLS_MAX];
+    int index[CELLS_MAX], count = 0;
+    add_run(table, &launch[0], scene, true, scene->method, scene->step / 2);
+    launch[0].cpu_ask = launch[0].cpu_max = cpu_reference;
+    for (int m = 0; m < method_count; m++)
+        for (int f = 0; f < FACTORS; f++) {
+            char row[320];
+            snprintf(row, sizeof row, "%s %s %g", scene->name, method_table[m]->name,
+                     factor_table[f]);
+            if (table->options->only && !strstr(row, table->options->only))
+                continue;
+            cell[count] = (Cell){method_table[m], factor_table[f]};
+            index[count] = m * FACTORS + f;
+            add_run(table, &launch[++count], scene, false, method_table[m]->name,
+                    factor_table[f] * scene->step);
+        }
+    bool good = count == 0 || launch_all(launch, count + 1, PARALLEL, scene->name, fault);
+    if (good && count > 0) {
+        Report reference;
+        report_read(&reference, &launch[0]);
+        if (!reference.ended)
+            good = fault_set(fault, scene->name, "the reference did not end: %s", launch[0].err);
+        for (int k = 0; good && k < count; k++)
+            print_cell(table, scene, index[k], &cell[k], &launch[k + 1], &reference);
+        report_free(&reference);
+    }
+    for (int k = 0; k <= count; k++)
+        launch_free(&launch[k]);
+    table->cells += count;
+    return good;
+}
+
+static bool is_measured(const Table* table, const char* name) {
+    if (strncmp(name, "fails/", 6) == 0)
+        return false;
+    if (!table->options->quick)
+        return true;
+    for (size_t k = 0; k < sizeof quick_scene / sizeof *quick_scene; k++)
+        if (strcmp(quick_scene[k], name) == 0)
+            return true;
+    return false;
+}
+
+static void print_counts(const Table* table) {
+    printf("\n%-12s %6s %8s %8s %8s %8s %8s\n", "method", "step", "kept", "stopped", "refused",
+           "long", "WRONG");
+    for (int k = 0; k < method_count * FACTORS; k++) {
+        const int* ending = table->counts[k].ending;
+        printf("%-12s %5gx %8d %8d %8d %8d %8d\n", method_table[k / FACTORS]->name,
+               factor_table[k % FACTORS], ending[ENDING_GOOD], ending[ENDING_STOPPED],
+               ending[ENDING_REFUSED], ending[ENDING_LONG], ending[ENDING_WRONG]);
+    }
+    printf("%d cells, %d of them WRONG\n", table->cells, table->wrong);
+}
+
+static bool measure(const BenchOptions* options, Fault* fault) {
+    Table table = {.options = options};
+    ASSERT(method_count * FACTORS <= CELLS_MAX, "there is room for the cells of a scene");
+    if (!paths_sibling("balloon", table.program[0], fault) ||
+        !paths_sibling("balloon-double", table.program[1], fault))
+        return false;
+    char** path;
+    const int count = scene_list(&path);
+    bool good = true;
+    puts("scene,method,factor,step,verdict,volume_error,cpu_s,substeps,taken_back,sentence");
+    for (int k = 0; k < count; k++) {
+        GuardScene scene;
+        scene_name(path[k], scene.name);
+        good = good && (!is_measured(&table, scene.name) || (load_scene(path[k], &scene, fault) &&
+                                                             measure_scene(&table, &scene, fault)));
+        free(path[k]);
+    }
+    free(path);
+    print_counts(&table);
+    return good && (table.wrong == 0 || fault_set(fault, "bench guard", "%d of %d cells are wrong",
+                                                  table.wrong, table.cells));
+}
+
+const BenchCase bench_guard = {
+    .name = "guard",
+    .about = "every scene by every method at 1, 10 and 100 times its step: kept, or stopped",
+    .run = measure,
+};
