@@ -4,7 +4,8 @@
 #               ONLY=contact: those with the word in their name
 # make check    format, include layers, sizes and names, headers alone, warnings as errors with gcc and
 #               clang, state hashes of all scenes with both, all tests under the address and
-#               undefined-behavior sanitizers, those of threads under the thread sanitizer; ONLY as above
+#               undefined-behavior sanitizers, those of threads under the thread sanitizer; ONLY as above;
+#               then make fuzz
 # make tidy     clang-tidy with the checks of src/.clang-tidy
 # make fuzz     libFuzzer on the readers of files and of the command line, SECONDS (60) each
 # make golden   write tests/golden/hashes.csv anew, after a change of bits on purpose
@@ -24,7 +25,7 @@ BUILD_PACKAGES := gcc g++ pkg-config libassimp-dev libyaml-dev libcglm-dev libim
     libglfw3-dev libegl-dev libopengl-dev libpng-dev libbullet-dev libsuitesparse-dev
 RUN_PACKAGES   := libegl1 libgl1 libgl1-mesa-dri ffmpeg gnuplot-nox
 TEST_PACKAGES  := libcmocka-dev xvfb xdotool imagemagick
-CHECK_PACKAGES := clang clang-format
+CHECK_PACKAGES := clang clang-format libclang-rt-14-dev llvm
 TIDY_PACKAGES  := clang-tidy
 LIBRARIES      := assimp yaml-0.1 cglm imgui glfw3 egl opengl libpng bullet bullet-float64 CHOLMOD
 
@@ -57,8 +58,12 @@ HEADERS  := $(wildcard src/*/*.h src/*/*/*.h)
 FIRST    := $(shell awk 'FNR == 1 { found = 0 } /^\#include/ && !found { found = 1; gsub(/"/, "", $$2); print "src/" $$2 }' \
     $(SOURCES))
 ALONE    := $(filter-out $(FIRST),$(HEADERS))
-# one precision, quick to compile; the plain build's tests run in both
-SANITIZED := -Werror -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
+# one precision, quick to compile; the plain build's tests run in both. The readers of files and of the
+# command line also count what they reach, which leads libFuzzer: one tree serves both
+SANITIZED := BUILD=build/sanitized CC=clang CXX=clang++ COVERAGE=-fsanitize=fuzzer-no-link \
+    EXTRA="-Werror -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+READERS   := base/% mesh/% scene/% cli/% world/record.%
+COVERAGE  :=
 # what a world needs to step, without programs around it
 STEPPING  := $(filter-out $(addprefix src/,lab/% view/% draw/% hud/% show/% cli/%),$(SOURCES))
 ONLY    ?=
@@ -66,7 +71,7 @@ UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
 SCENE   ?=
 SECONDS ?= 60
 
-.PHONY: all help run test check tidy fuzz golden bench chart picture reference format clean install programs tests tests-syntax \
+.PHONY: all help run test check tidy fuzz golden bench chart picture reference format clean install programs tests \
     packages-build packages-run packages-test packages-check headers
 .DELETE_ON_ERROR:
 
@@ -97,18 +102,17 @@ check: packages-build packages-run packages-test packages-check
 	@tests/structure.sh $(BUILD)
 	@JOBS=$(JOBS) tests/hashes.sh check $(BUILD)
 	@echo "clang, warnings as errors"
-	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ EXTRA="-Werror -g1" \
-	    programs tests-syntax
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ EXTRA="-Werror -g1" programs
 	@BALLOON_CPU=baseline THREADS=2 JOBS=$(JOBS) tests/hashes.sh check-own build/clang
 	@echo "sanitizers"
-	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/threads SOURCES="$(STEPPING)" \
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/threads CC=clang CXX=clang++ SOURCES="$(STEPPING)" \
 	    EXTRA="-Werror -O1 -g1 -fsanitize=thread" build/threads/float/tests/test_crew
 	@build/threads/float/tests/test_crew
-	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/sanitized EXTRA="$(SANITIZED)" \
-	    build/sanitized/balloon $(UNIT:%=build/sanitized/float/tests/%)
+	@$(MAKE) --no-print-directory -j$(JOBS) $(SANITIZED) build/sanitized/balloon $(UNIT:%=build/sanitized/float/tests/%)
 	@cp $(BUILD)/balloon-double build/sanitized/
 	@JOBS=$(JOBS) tests/hashes.sh touch build/sanitized
 	@SHORT=1 PRECISIONS=float JOBS=$(JOBS) tests/run.sh build/sanitized $(ONLY)
+	@[ -n "$(ONLY)" ] || $(MAKE) --no-print-directory fuzz
 
 tidy:
 	$(call install_missing,$(BUILD_PACKAGES) $(TIDY_PACKAGES),$(LIBRARIES),clang-tidy)
@@ -116,9 +120,8 @@ tidy:
 	    -std=c17 -Isrc -D_POSIX_C_SOURCE=200809L $(includes) 2>/dev/null' clang-tidy
 
 fuzz: packages-build packages-check
-	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/fuzz CC=clang CXX=clang++ \
-	    EXTRA="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" build/fuzz/float/fuzz
-	@tests/fuzz/fuzz.sh build/fuzz/float/fuzz $(SECONDS)
+	@$(MAKE) --no-print-directory -j$(JOBS) $(SANITIZED) build/sanitized/float/fuzz
+	@JOBS=$(JOBS) tests/fuzz/fuzz.sh build/sanitized/float/fuzz $(SECONDS)
 
 golden:
 	$(call say_missing,$(BUILD_PACKAGES),$(LIBRARIES),gcc g++ pkg-config)
@@ -209,10 +212,12 @@ define precision # $(1): float or double, $(2): its program, $(3): its flag
 $(2)_objects := $$(patsubst src/%,$$(BUILD)/$(1)/%.o,$$(SOURCES)) \
     $$(patsubst src/%,$$(BUILD)/$(1)/%.v3.o,$$(KERNELS))
 
+$$(addprefix $$(BUILD)/$(1)/,$$(addsuffix .o,$$(READERS))): reader := $$(COVERAGE)
+
 $$(BUILD)/$(1)/%.c.o: src/%.c
 	@mkdir -p $$(@D)
 	@echo "  $$@"
-	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
+	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $$(reader) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
 
 $$(BUILD)/$(1)/%.c.v3.o: src/%.c
 	@mkdir -p $$(@D)
@@ -223,7 +228,7 @@ $$(BUILD)/$(1)/%.c.v3.o: src/%.c
 $$(BUILD)/$(1)/%.cpp.o: src/%.cpp
 	@mkdir -p $$(@D)
 	@echo "  $$@"
-	@$$(CXX) -std=c++17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
+	@$$(CXX) -std=c++17 -g $$(BITS) $$(WARN) $$(EXTRA) $$(reader) $(3) $$(CPPFLAGS) $$(includes) -c $$< -o $$@
 
 $$(BUILD)/$(1)/libballoon.a: $$($(2)_objects)
 	@rm -f $$@
@@ -238,10 +243,11 @@ $$(BUILD)/$(1)/fuzz: tests/fuzz/fuzz.c tests/fuzz/targets.h $$(BUILD)/$(1)/libba
 	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) -Isrc -D_POSIX_C_SOURCE=200809L -c $$< -o $$@.o
 	@$$(CXX) $$(EXTRA) -fsanitize=fuzzer $$@.o $$(BUILD)/$(1)/libballoon.a $$(bullet_$(1)) $$(libraries) -o $$@
 
+# a test's own lines are quicker compiled than optimized; what it calls is optimized in the library
 $$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
 	@mkdir -p $$(@D)
 	@echo "  $$@"
-	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) $$(CPPFLAGS) -Itests/unit $$(includes) -c $$< -o $$@
+	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) -O0 $(3) $$(CPPFLAGS) -Itests/unit $$(includes) -c $$< -o $$@
 
 $$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
 	@echo "  $$@"
@@ -250,12 +256,6 @@ $$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
 # one test counts allocations
 $$(BUILD)/$(1)/tests/test_allocation: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)
 
-$$(BUILD)/$(1)/syntax/%.ok: tests/unit/%.c $$(HEADERS) $$(wildcard tests/unit/*.h)
-	@mkdir -p $$(@D)
-	@$$(CC) -std=c17 $$(BITS) $$(WARN) $$(WARN_C) $$(EXTRA) $(3) -Isrc -D_POSIX_C_SOURCE=200809L -Itests/unit \
-	    $$(includes) -fsyntax-only $$<
-	@touch $$@
-
 programs: $$(BUILD)/$(2)
 tests: $$(UNIT:%=$$(BUILD)/$(1)/tests/%)
 .SECONDARY: $$(UNIT:%=$$(BUILD)/$(1)/tests/%.o)
@@ -263,9 +263,6 @@ endef
 
 $(eval $(call precision,float,balloon,))
 $(eval $(call precision,double,balloon-double,-DBALLOON_DOUBLE))
-
-# tests have no line that depends on the precision: one will do for the warnings
-tests-syntax: $(UNIT:%=$(BUILD)/float/syntax/%.ok)
 
 # each header that no source includes first compiles alone, in both precisions
 headers: $(ALONE:src/%=build/headers/%.ok)

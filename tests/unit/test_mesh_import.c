@@ -251,7 +251,8 @@ static size_t damage(char* bytes, size_t size, Random* random) {
     if (random_next(random) < 0.3)
         return (size_t)((double)size * random_next(random));
     for (int edits = 1 + (int)(4 * random_next(random)); edits > 0; edits--)
-        bytes[(size_t)((double)size * random_next(random))] = (char)(256 * random_next(random));
+        bytes[(size_t)((double)size * random_next(random))] =
+            (char)(unsigned char)(256 * random_next(random));
     return size;
 }
 
