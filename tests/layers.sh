@@ -25,7 +25,7 @@ declare -A may=(
     [draw]="base view draw"
     [hud]="base view hud"
     [show]="base world lab/run lab/truth lab/stability lab/advice lab/bench view draw hud show"
-    [cli]="base mesh body force solve scene world lab/chart lab/stability lab/advice lab/bench lab/peer view show cli"
+    [cli]="base mesh body force solve scene world lab/run lab/chart lab/stability lab/advice lab/bench lab/peer view show cli"
 )
 # a library's folders, or the one file of a folder that may see it
 declare -A library=(

@@ -10,6 +10,7 @@
 #include "base/stream.h"
 #include "cli/open.h"
 #include "cli/verb.h"
+#include "lab/run/result_file.h"
 #include "show/keys.h"
 
 #define VERSION "0.1.0"
@@ -46,6 +47,7 @@ static bool call_verb(const Verb* verb, const Options* options, Fault* fault) {
     if (!options_number(options->threads, "--threads", 1, &threads, fault))
         return false;
     crew_set((int)fmin(threads, CREW_THREADS_MAX));
+    result_file_overwrite(options->overwrite);
     const bool good = verb->call(options, fault);
     crew_set(1);
     return good;

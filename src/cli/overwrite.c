@@ -7,8 +7,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "lab/advice/advise.h"
 #include "show/run.h"
 #include "show/video.h"
+#include "world/record.h"
 
 /// An output: its option and path, and the bytes by which the program knows its own file.
 typedef struct Target {
@@ -87,7 +89,7 @@ bool overwrite_allowed(const Options* options, Fault* fault) {
     const Target target_table[] = {
         {"--csv", options->csv, "t,balloon0."},
         {"--mesh", options->mesh, RUN_OBJ_MARK},
-        {"--record", options->record, "# balloon input "},
+        {"--record", options->record, RECORD_MARK},
     };
     if (options->overwrite)
         return true;
@@ -95,6 +97,11 @@ bool overwrite_allowed(const Options* options, Fault* fault) {
         if (!may_write(options, &target_table[k], fault))
             return false;
     return true;
+}
+
+bool overwrite_allows_scene(const Options* options, Fault* fault) {
+    return options->overwrite ||
+           may_write(options, &(Target){"--out", options->out, ADVISE_MARK}, fault);
 }
 
 bool overwrite_allows_pictures(const Options* options, const char* out, Fault* fault) {

@@ -11,6 +11,9 @@
 /// Whether the CSV, the skins and the input log may be written; else a fault names the option.
 bool overwrite_allowed(const Options* options, Fault* fault);
 
+/// Whether the scene that advice writes may.
+bool overwrite_allows_scene(const Options* options, Fault* fault);
+
 /// Whether the pictures may: a film, a picture, or the frames of a folder.
 bool overwrite_allows_pictures(const Options* options, const char* out, Fault* fault);
 

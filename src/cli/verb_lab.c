@@ -3,6 +3,7 @@
 
 #include "cli/bench_table.h"
 #include "cli/open.h"
+#include "cli/overwrite.h"
 #include "base/interrupt.h"
 #include "cli/verb.h"
 #include "lab/chart/chart.h"
@@ -47,17 +48,18 @@ bool verb_bench(const Options* options, Fault* fault) {
     if (options->target && !one)
         return fault_set(fault, options->target, "no such bench; see balloon list");
     const char* name = one ? one->name : "all";
+    const char* folder = options->out ? options->out : "out";
     Figures figures;
+    if (!figures_may_write(name, folder, fault))
+        return false;
     figures_open(&figures, name);
     const BenchOptions bench = {
-        .quick = options->quick, .only = options->only, .figures = &figures};
+        .quick = options->quick, .only = options->only, .out = folder, .figures = &figures};
     bool good = true;
     for (int k = 0; k < bench_count && good; k++)
         if (one ? one == bench_table[k] : bench_table[k]->timed)
             good = bench_table[k]->run(&bench, fault);
-    return figures_close(&figures, name, options->out ? options->out : "out", options->keep,
-                         fault) &&
-           good;
+    return figures_close(&figures, name, folder, options->keep, fault) && good;
 }
 
 /// A perturbation of 1e-6 needs a state in double precision.
@@ -101,5 +103,6 @@ bool verb_advise(const Options* options, Fault* fault) {
     if (!options->error == !options->budget)
         return fault_set(fault, options->target,
                          "say what you ask for: --error 1%% or --budget 4ms");
-    return cli_open_advice(options, &advise, fault) && advise_run(&advise, fault);
+    return overwrite_allows_scene(options, fault) && cli_open_advice(options, &advise, fault) &&
+           advise_run(&advise, fault);
 }

@@ -16,7 +16,7 @@ enum {
     LINE_MAX_BYTES = 512, ///< longest line; that of an event has at most 250
     STEP_DIGITS = 18,     ///< more may not fit a long
 };
-static const char title[] = "# balloon input ";
+static const char title[] = RECORD_MARK;
 
 /// Where a log is being read, for faults.
 typedef struct Line {

@@ -17,6 +17,9 @@
 
 #include "base/fault.h"
 
+/// How a log begins.
+#define RECORD_MARK "# balloon input "
+
 typedef enum EventKind { EVENT_KEY, EVENT_SET, EVENT_THROW } EventKind;
 
 enum { THROW_NUMBERS = 8 };

@@ -103,6 +103,7 @@ if [ -z "${SHORT:-}" ]; then
 fi
 ok "a bench says where a frame's time goes" grep -qE "^party +9850  resolve +[0-9.]+ " \
     <("$balloon" bench frame --quick --out "$scratch/bench")
+ok "a bench plays at random, the same twice" grep -qE "^party +2 +[0-9]+ +[1-9]" <("$balloon" bench soak --quick --only party --out "$scratch/bench")
 ok "no step of a scene is wrong under the guard" grep -qE "^[0-9]+ cells, 0 of them WRONG$" <("$balloon" bench guard --quick)
 ok "no value of a scene makes it end wrongly" grep -qE "^[0-9]+ scenes: .* 0 WRONG$" <("$balloon" bench scenes --quick)
 ok "and a scene of the storm can be seen alone" grep -qE "^  balloon run .* --set=" <("$balloon" bench scenes --only 2)
@@ -211,6 +212,14 @@ for file in kept.png kept.mp4 own.gif own.webm own; do
 done
 echo kept >"$scratch/own/frame-00001.png"
 bad "frame-00001.png is there" "$balloon" render cube --out "$scratch/own"
+mkdir "$scratch/results"
+for file in needs.csv chart.csv stability.csv map.csv bench-contacts.csv; do echo kept >"$scratch/results/$file"; done
+for verb in "needs tether" "chart --quick" "stability --quick" "bench contacts --quick"; do
+    bad "results/[a-z-]+.csv: is there and not made by balloon" "$balloon" $verb --out "$scratch/results"
+done
+bad "kept.log is there and not made by balloon" "$balloon" advise tether --error 1% --out "$scratch/kept.log"
+ok "results of others stay" test "$(cat "$scratch"/results/* | sort -u)" = kept
+rm -r "$scratch/results"
 bad "log is read by this command" "$balloon" run party --input "$scratch/log" --record "$scratch/log"
 bad "t.obj is read by this command" "$balloon" run "$scratch/t.obj" --mesh "$scratch/t.obj"
 

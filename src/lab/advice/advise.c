@@ -172,9 +172,7 @@ static void write_head(const AdviseOptions* options, const Advice* advice, const
         fprintf(out, "as cheap as %g %% can be had", 100 * options->error);
     else
         fprintf(out, "as close as %g ms a frame can be", options->ms);
-    fprintf(out,
-            ": at most %.2g %% off, for %.2g ms of CPU time a frame (1/%g s).\n# What was put in "
-            "its place:",
+    fprintf(out, ": at most %.2g %% off, for %.2g ms of CPU time a frame (1/%g s).\n" ADVISE_MARK,
             100 * advise_promise(advice, point), point->ms, ADVISE_FPS);
     for (int k = 0; k < sets->count; k++)
         fprintf(out, "%s %s", k ? "," : "", sets->text[k]);

@@ -24,6 +24,9 @@
 #include "lab/run/overrides.h"
 #include "world/world.h"
 
+/// A comment by which a scene that advice wrote is known.
+#define ADVISE_MARK "# What was put in its place:"
+
 enum { ADVISE_OUTPUTS = 16 }; ///< that a scene may be about
 
 extern const double ADVISE_MARGIN; ///< error that may be, over error that was measured [1]

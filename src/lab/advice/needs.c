@@ -8,8 +8,8 @@
 #include "base/paths.h"
 #include "base/table.h"
 #include "lab/advice/needs_part.h"
-#include "lab/run/plot.h"
 #include "lab/run/report.h"
+#include "lab/run/result_file.h"
 #include "world/world.h"
 
 enum { ROUNDS = 3, OUTPUTS_MOST = 16 };
@@ -311,15 +311,11 @@ static bool all_scenes(const NeedsOptions* options, FILE* csv, Fault* fault) {
 }
 
 static FILE* open_csv(const char* folder, Fault* fault) {
-    char path[512];
-    if (!plot_folder(folder, fault))
-        return NULL;
-    snprintf(path, sizeof path, "%s/needs.csv", folder);
-    FILE* csv = fopen(path, "w");
-    if (!csv)
-        fault_set(fault, path, "cannot be written: %s", strerror(errno));
-    else
-        fputs("scene,part,change,tolerance,cost_share,needed,because\n", csv);
+    static const char head[] = "scene,part,change,tolerance,cost_share,needed,because\n";
+    FILE* csv =
+        result_folder(folder, fault) ? result_file_open(folder, "needs.csv", head, fault) : NULL;
+    if (csv)
+        fputs(head, csv);
     return csv;
 }
 
@@ -331,8 +327,7 @@ bool needs_run(const NeedsOptions* options, Fault* fault) {
         good = all_scenes(options, csv, fault);
     else if (good)
         good = one_scene(options->scene, options, csv, unneeded, sizeof unneeded, fault);
-    if (csv && (ferror(csv) | fclose(csv)))
-        good = fault_set(fault, options->out, "needs.csv could not be written to its end");
+    good = (!csv || result_file_close(csv, options->out, "needs.csv", fault)) && good;
     if (good && unneeded[0])
         return fault_set(fault, options->scene, "unneeded without a reason: %s", unneeded);
     return good;

@@ -7,6 +7,7 @@
 typedef struct BenchOptions {
     bool quick;       ///< a thinned measurement
     const char* only; ///< measure rows with this word in their names; NULL: all
+    const char* out;  ///< folder for other files
     Figures* figures; ///< receives the figures of a timed case
 } BenchOptions;
 
@@ -26,6 +27,7 @@ extern const BenchCase bench_contact_hour;
 extern const BenchCase bench_guard;
 extern const BenchCase bench_scenes;
 extern const BenchCase bench_table1;
+extern const BenchCase bench_soak;
 extern const BenchCase bench_speed;
 extern const BenchCase bench_thickness;
 

@@ -1,15 +1,14 @@
 #include "lab/bench/figures.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "base/array.h"
 #include "base/median.h"
 #include "base/real.h"
+#include "lab/run/result_file.h"
 
 /// The processor's name with all other characters than letters and digits replaced by dashes.
 static void machine_file_name(char name[128]) {
@@ -104,41 +103,42 @@ void figures_add_samples(Figures* figures, const char* name, int particles, cons
     figures_add(figures, name, particles, metric, unit, sample[0], middle, 0);
 }
 
-static bool write_csv(const Figures* figures, const char* path, Fault* fault) {
-    FILE* out = fopen(path, "w");
+static void csv_name(char name[64], const char* bench) {
+    snprintf(name, 64, "bench-%s.csv", bench);
+}
+
+static const char head[] = "case,particles,metric,unit,minimum,median,limit_share\n";
+
+bool figures_may_write(const char* bench, const char* folder, Fault* fault) {
+    char name[64];
+    csv_name(name, bench);
+    return result_file_allowed(folder, name, head, fault);
+}
+
+static bool write_csv(const Figures* figures, const char* folder, const char* name, Fault* fault) {
+    FILE* out = result_folder(folder, fault) ? result_file_open(folder, name, head, fault) : NULL;
     if (!out)
-        return fault_set(fault, path, "cannot be written: %s", strerror(errno));
-    fprintf(out, "case,particles,metric,unit,minimum,median,limit_share\n");
+        return false;
+    fputs(head, out);
     for (int k = 0; k < figures->count; k++) {
         const Figure* f = &figures->figure[k];
         fprintf(out, "%s,%d,%s,%s,%.6g,%.6g,%.4g\n", f->name, f->particles, f->metric, f->unit,
                 f->minimum, f->median, f->limit_share);
     }
-    const bool bad = ferror(out) != 0;
-    return (fclose(out) == 0 && !bad) || fault_set(fault, path, "could not be written to its end");
-}
-
-/// Create the folders of a file's path.
-static void make_folders(const char* path) {
-    char part[512];
-    for (const char* slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
-        snprintf(part, sizeof part, "%.*s", (int)(slash - path), path);
-        mkdir(part, 0777);
-    }
+    return result_file_close(out, folder, name, fault);
 }
 
 bool figures_close(Figures* figures, const char* bench, const char* folder, bool keep,
                    Fault* fault) {
-    char path[512];
-    snprintf(path, sizeof path, "%s/bench-%s.csv", folder, bench);
-    bool good = true;
-    if (figures->count > 0) {
-        make_folders(path);
-        good = write_csv(figures, path, fault);
-    }
+    char name[64];
+    csv_name(name, bench);
+    bool good = figures->count == 0 || write_csv(figures, folder, name, fault);
     if (good && figures->count > 0 && (keep || figures->kept_count == 0)) {
-        make_folders(figures->kept_path);
-        good = write_csv(figures, figures->kept_path, fault);
+        char kept_folder[512];
+        snprintf(kept_folder, sizeof kept_folder, "%s", figures->kept_path);
+        char* slash = strrchr(kept_folder, '/');
+        *slash = '\0';
+        good = write_csv(figures, kept_folder, slash + 1, fault);
         if (good)
             printf("kept in %s\n", figures->kept_path);
     }

@@ -40,6 +40,9 @@ void figures_add(Figures* figures, const char* name, int particles, const char* 
 void figures_add_samples(Figures* figures, const char* name, int particles, const char* metric,
                          const char* unit, double* sample, int count);
 
+/// Whether the figures of a bench may be written to `folder`.
+bool figures_may_write(const char* bench, const char* folder, Fault* fault);
+
 /// Write the figures, if there are any, to `folder`; keep them on this machine if `keep` or if none
 /// were kept.
 bool figures_close(Figures* figures, const char* bench, const char* folder, bool keep,

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "lab/run/plot.h"
+#include "lab/run/result_file.h"
 
 const char chart_peer_name[] = "bullet";
 
@@ -24,8 +24,9 @@ int chart_end(const ChartPlan* plan, int from) {
 
 bool chart_run(const ChartOptions* options, Fault* fault) {
     ChartPlan plan = {0};
-    const bool good = plot_folder(options->out, fault) && chart_plan(&plan, options, fault) &&
-                      chart_measure(&plan, fault) && chart_write(&plan, options->out, fault) &&
+    const bool good = result_folder(options->out, fault) && chart_may_write(options->out, fault) &&
+                      chart_plan(&plan, options, fault) && chart_measure(&plan, fault) &&
+                      chart_write(&plan, options->out, fault) &&
                       chart_draw(&plan, options->out, fault);
     chart_plan_free(&plan);
     return good;

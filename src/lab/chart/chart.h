@@ -75,6 +75,9 @@ bool chart_same_line(const ChartPoint* a, const ChartPoint* b);
 /// The end of the range of points with this point's name, which are contiguous.
 int chart_end(const ChartPlan* plan, int from);
 
+/// Whether chart.csv, front.csv and chart.md may be written.
+bool chart_may_write(const char* folder, Fault* fault);
+
 /// Write chart.csv, front.csv and chart.md; draw the charts.
 bool chart_write(const ChartPlan* plan, const char* folder, Fault* fault);
 bool chart_draw(const ChartPlan* plan, const char* folder, Fault* fault);

@@ -4,21 +4,20 @@
 
 #include "lab/chart/chart.h"
 #include "lab/run/machine.h"
+#include "lab/run/result_file.h"
 #include "mesh/mesh.h"
 
 static const double good_enough = 0.01; ///< maximum error in the summary [1]
 
-static FILE* open_in(const char* folder, const char* name, char path[512], Fault* fault) {
-    snprintf(path, 512, "%s/%s", folder, name);
-    FILE* out = fopen(path, "w");
-    if (!out)
-        fault_set(fault, path, "cannot be written: %s", strerror(errno));
-    return out;
-}
+static const char points_head[] = "scene,method,skin,law,vertices,step,precision,ms_per_second,"
+                                  "measured,truth,error,stable,hash\n";
+static const char fronts_head[] = "scene,method,skin,law,ms_per_second,error\n";
+static const char summary_mark[] = "Measured on ";
 
-static bool close_whole(FILE* out, const char* path, Fault* fault) {
-    const bool whole = !ferror(out);
-    return (fclose(out) == 0 && whole) || fault_set(fault, path, "cannot be written to its end");
+bool chart_may_write(const char* folder, Fault* fault) {
+    return result_file_allowed(folder, "chart.csv", points_head, fault) &&
+           result_file_allowed(folder, "front.csv", fronts_head, fault) &&
+           result_file_allowed(folder, "chart.md", summary_mark, fault);
 }
 
 /// A point that its method refuses has only its name.
@@ -33,16 +32,13 @@ static void write_row(const ChartPoint* p, FILE* out) {
 }
 
 static bool write_csv(const ChartPlan* plan, const char* folder, Fault* fault) {
-    char path[512];
-    FILE* out = open_in(folder, "chart.csv", path, fault);
+    FILE* out = result_file_open(folder, "chart.csv", points_head, fault);
     if (!out)
         return false;
-    fputs("scene,method,skin,law,vertices,step,precision,ms_per_second,measured,truth,error,stable,"
-          "hash\n",
-          out);
+    fputs(points_head, out);
     for (int p = 0; p < plan->points; p++)
         write_row(&plan->point[p], out);
-    return close_whole(out, path, fault);
+    return result_file_close(out, folder, "chart.csv", fault);
 }
 
 /// In order of cost, so that a line can join them.
@@ -73,18 +69,17 @@ static bool is_first_of_line(const ChartPlan* plan, int from, int p) {
 }
 
 static bool write_fronts(const ChartPlan* plan, const char* folder, Fault* fault) {
-    char path[512];
-    FILE* out = open_in(folder, "front.csv", path, fault);
+    FILE* out = result_file_open(folder, "front.csv", fronts_head, fault);
     if (!out)
         return false;
-    fputs("scene,method,skin,law,ms_per_second,error\n", out);
+    fputs(fronts_head, out);
     for (int from = 0; from < plan->points; from = chart_end(plan, from)) {
         write_front(plan, from, false, out);
         for (int p = from; p < chart_end(plan, from); p++)
             if (is_first_of_line(plan, from, p))
                 write_front(plan, p, true, out);
     }
-    return close_whole(out, path, fault);
+    return result_file_close(out, folder, "front.csv", fault);
 }
 
 /// The cheapest point up to an error, of the peer or of our methods; NULL: none.
@@ -194,15 +189,14 @@ static void write_table(const ChartPlan* plan, FILE* out) {
 }
 
 static bool write_summary(const ChartPlan* plan, const char* folder, Fault* fault) {
-    char path[512];
-    FILE* out = open_in(folder, "chart.md", path, fault);
+    FILE* out = result_file_open(folder, "chart.md", summary_mark, fault);
     if (!out)
         return false;
-    fprintf(out, "Measured on %s: CPU time of stepping per simulated second, one thread.\n\n",
+    fprintf(out, "%s%s: CPU time of stepping per simulated second, one thread.\n\n", summary_mark,
             machine_name());
     write_table(plan, out);
     write_table(plan, stdout);
-    return close_whole(out, path, fault);
+    return result_file_close(out, folder, "chart.md", fault);
 }
 
 bool chart_write(const ChartPlan* plan, const char* folder, Fault* fault) {

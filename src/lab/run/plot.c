@@ -3,14 +3,22 @@
 #include <errno.h>
 #include <signal.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
+
+#include "lab/run/result_file.h"
 
 enum { SHELL_FINDS_NONE = 127 }; ///< exit status where a command does not exist
 
-bool plot_folder(const char* folder, Fault* fault) {
-    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-        return fault_set(fault, folder, "this folder cannot be made: %s", strerror(errno));
+/// Whether the pictures may be drawn where no script of ours has drawn them.
+static bool may_draw(const char* folder, const char* name, Fault* fault) {
+    static const char* const picture_table[] = {"svg", "png"};
+    for (size_t k = 0; k < sizeof picture_table / sizeof *picture_table; k++) {
+        char picture[80];
+        snprintf(picture, sizeof picture, "%s.%s", name, picture_table[k]);
+        if (!result_file_allowed(folder, picture, "", fault))
+            return false;
+    }
     return true;
 }
 
@@ -20,13 +28,18 @@ bool plot_open(Plot* plot, const char* folder, const char* name, int width, int 
     snprintf(plot->folder, sizeof plot->folder, "%s", folder);
     snprintf(plot->name, sizeof plot->name, "%s", name);
     snprintf(plot->file, sizeof plot->file, "%s/%s.gp", folder, name);
-    plot->script = fopen(plot->file, "w");
+    char script[80], mark[96];
+    snprintf(script, sizeof script, "%s.gp", name);
+    snprintf(mark, sizeof mark, "# gnuplot %s\n", script);
+    if (access(plot->file, F_OK) != 0 && !may_draw(folder, name, fault))
+        return false;
+    plot->script = result_file_open(folder, script, mark, fault);
     if (!plot->script)
-        return fault_set(fault, plot->file, "cannot be written: %s", strerror(errno));
+        return false;
 
     // a loop, because gnuplot cannot write two formats at once
     fprintf(plot->script,
-            "# gnuplot %s.gp\n"
+            "%s"
             "set datafile separator ','\n"
             "do for [picture in 'svg png'] {\n"
             "if (picture eq 'svg') {\n"
@@ -35,7 +48,7 @@ bool plot_open(Plot* plot, const char* folder, const char* name, int width, int 
             "set terminal pngcairo size %d,%d font 'sans,11'\n"
             "}\n"
             "set output '%s.'.picture\n",
-            name, width, height, width, height, name);
+            mark, width, height, width, height, name);
     return true;
 }
 

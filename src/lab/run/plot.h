@@ -21,9 +21,6 @@ typedef struct Plot {
     char file[400]; ///< of the script
 } Plot;
 
-/// Make a folder for results if it does not exist.
-bool plot_folder(const char* folder, Fault* fault);
-
 /// Begin the script FOLDER/NAME.gp of a picture of that size [pixels].
 bool plot_open(Plot* plot, const char* folder, const char* name, int width, int height,
                Fault* fault);

@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "lab/run/plot.h"
+#include "lab/run/result_file.h"
 #include "lab/stability/trial.h"
 
 enum { MAX_KEYS = 4, MAX_DAMPINGS = 5 };
@@ -156,37 +157,28 @@ static bool limit_method(const LimitCase* limit, const Method* method, FILE* out
     return true;
 }
 
-static FILE* create(const char* folder, const char* name, const char* header, Fault* fault) {
-    char path[400];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE* out = fopen(path, "w");
-    if (!out)
-        fault_set(fault, path, "cannot be written: %s", strerror(errno));
-    else
-        fprintf(out, "%s\n", header);
-    return out;
-}
+static const char cells_head[] = "scene,method,step,stiffness,verdict,growth_rate\n";
+static const char map_limits_head[] = "scene,method,stiffness,step_theory,step_bound\n";
 
-static bool end(FILE* out, const char* folder, const char* name, Fault* fault) {
-    const bool whole = !ferror(out);
-    if (fclose(out) != 0 || !whole)
-        return fault_set(fault, folder, "%s cannot be written: %s", name, strerror(errno));
-    return true;
+/// A result with its head.
+static FILE* create(const char* folder, const char* name, const char* head, Fault* fault) {
+    FILE* out = result_file_open(folder, name, head, fault);
+    if (out)
+        fputs(head, out);
+    return out;
 }
 
 /// refused[map][method].
 static bool measure_maps(const char* folder, bool quick, const char** refused, Fault* fault) {
-    FILE* cells =
-        create(folder, "map.csv", "scene,method,step,stiffness,verdict,growth_rate", fault);
-    FILE* limits =
-        create(folder, "map-limit.csv", "scene,method,stiffness,step_theory,step_bound", fault);
+    FILE* cells = create(folder, "map.csv", cells_head, fault);
+    FILE* limits = create(folder, "map-limit.csv", map_limits_head, fault);
     bool good = cells && limits;
     for (int k = 0; good && k < MAPS; k++)
         for (int m = 0; good && m < method_count; m++)
             good = map_method(&map_table[k], method_table[m], quick, cells, limits,
                               &refused[k * method_count + m], fault);
-    good = (!cells || end(cells, folder, "map.csv", fault)) && good;
-    return (!limits || end(limits, folder, "map-limit.csv", fault)) && good;
+    good = (!cells || result_file_close(cells, folder, "map.csv", fault)) && good;
+    return (!limits || result_file_close(limits, folder, "map-limit.csv", fault)) && good;
 }
 
 static bool measure_limits(const char* folder, bool quick, Fault* fault) {
@@ -200,7 +192,7 @@ static bool measure_limits(const char* folder, bool quick, Fault* fault) {
         for (int m = 0; good && m < method_count; m++)
             if (!quick || !limit_table[k].fine)
                 good = limit_method(&limit_table[k], method_table[m], out, fault);
-    return (!out || end(out, folder, "stability.csv", fault)) && good;
+    return (!out || result_file_close(out, folder, "stability.csv", fault)) && good;
 }
 
 static bool draw(const char* folder, const MapCase* map, bool quick, const char* const* refused,
@@ -265,8 +257,10 @@ static bool draw(const char* folder, const MapCase* map, bool quick, const char*
 
 bool stability(const char* folder, bool quick, Fault* fault) {
     const char** refused = new_array(const char*, MAPS* method_count);
-    bool good = plot_folder(folder, fault) && measure_limits(folder, quick, fault) &&
-                measure_maps(folder, quick, refused, fault);
+    bool good = result_folder(folder, fault) &&
+                result_file_allowed(folder, "map.csv", cells_head, fault) &&
+                result_file_allowed(folder, "map-limit.csv", map_limits_head, fault) &&
+                measure_limits(folder, quick, fault) && measure_maps(folder, quick, refused, fault);
     for (int k = 0; good && k < MAPS; k++)
         good = draw(folder, &map_table[k], quick, &refused[k * method_count], fault);
     free(refused);
