@@ -47,7 +47,7 @@ const Option option_table[] = {
     {"--error",     "E",        "advise, --auto: largest error, as 1%", SESSIONS | VERB_ADVISE, TEXT(error)},
     {"--budget",    "T",        "advise, --auto: CPU time of a frame, as 4ms", SESSIONS | VERB_ADVISE, TEXT(budget)},
     {"--fresh",     NULL,       "advise: measure this machine again", SESSIONS | VERB_ADVISE, FLAG(fresh)},
-    {"--auto",      NULL,       "play, render, run: step as advise finds best; within --error or --budget, else 8ms a frame", SESSIONS, FLAG(advised)},
+    {"--auto",      NULL,       "play, render, run: the method that advise finds, within --error or --budget; by default 8ms a frame", SESSIONS, FLAG(advised)},
     {"--method",    "NAME",     "how to step; see balloon list", SCENES, .key = "method"},
     {"--step",      "S",        "length of a step [s]", SCENES, .key = "step"},
     {"--guard",     "split|stop|off", "what to do with a step that is too long", SCENES, .key = "guard"},

@@ -89,6 +89,16 @@ bool verb_render(const Options* options, Fault* fault) {
     return show_pair(options, false, NULL, fault);
 }
 
+/// Whether nothing would tell that a run has ended: no result was asked for, and the scene is about
+/// no output at a time that the run reached.
+static bool prints_nothing(const Options* options, const World* world, double seconds) {
+    for (unsigned k = 0; k < scene_outputs(&world->def); k++)
+        if (world->def.about[k].at <= seconds)
+            return false;
+    return !options->csv && !options->mesh && !options->record && !options->hash &&
+           !options->time && !options->report && !options->compare && !options->quiet;
+}
+
 bool verb_run(const Options* options, Fault* fault) {
     World world;
     Ghost ghost = {0};
@@ -106,5 +116,9 @@ bool verb_run(const Options* options, Fault* fault) {
         return false;
     const bool good = cli_times(options, &world, &run_options.seconds, &run_options.fps, fault) &&
                       run(&world, &run_options, fault);
+    if (good && prints_nothing(options, &world, run_options.seconds))
+        printf("%s: %g s simulated; --report, --hash, --time, --csv FILE or --mesh FILE give "
+               "results\n",
+               world.def.file, run_options.seconds);
     return print_hash_and_close(options, &world, &ghost, good);
 }

@@ -223,6 +223,11 @@ rm -r "$scratch/results"
 bad "log is read by this command" "$balloon" run party --input "$scratch/log" --record "$scratch/log"
 bad "t.obj is read by this command" "$balloon" run "$scratch/t.obj" --mesh "$scratch/t.obj"
 
+# --- a run of a scene that names no output says that it ended, unless it is asked for something
+ok "a run says that it ended" grep -qE "^cube: 0.01 s simulated; --report, " <("$balloon" run cube --seconds 0.01)
+ok "so does one that ends before its outputs" grep -q "^assets/scenes/tether.yaml: 0.01 s simulated; " <("$balloon" run tether --seconds 0.01)
+ok "and nothing else beside a result" test "$("$balloon" run cube --seconds 0.01 --hash | wc -l)" = 1
+
 # what the guard does is said to people once, and to programs as a number
 "$balloon" run tether --seconds 0.1 --step 0.02 --report >"$scratch/report" 2>"$scratch/said"
 ok "the guard says into how many parts" grep -qE "step 0.02 s is above the largest stable one, [0-9.]+ s: each is made in 8 parts$" "$scratch/said"
