@@ -22,4 +22,15 @@ for scene in "$scratch"/scene*.yaml; do
     ok "the guide's $(basename "$scene") loads and runs" "$balloon" run "$scene" --seconds 0.1 --quiet
 done
 
+# a value that no key takes, of each key: the sentence names the option, and no line of the scene
+elsewhere=0
+for key in $(sed '/^### Outputs/,$d' "$scratch/printed" | sed -nE 's/^\| `([^`]+)`.*/\1/p' | sed 's/\*/0/g'); do
+    said=$("$balloon" run tether --seconds 1e-9 --quiet --set gravity=9 --set "$key=[[x]]" 2>&1 >/dev/null)
+    case $said in
+        "balloon: --set $key=[[x]]: "*) ;;
+        *) elsewhere=$((elsewhere + 1)); echo "  $key: $said" ;;
+    esac
+done
+ok "the refusal of an override names the override" test $elsewhere = 0
+
 finish
