@@ -27,6 +27,22 @@ double guard_bound(const Method* method, const System* system, int* body) {
     return smallest;
 }
 
+bool guard_limits_strain(const System* system) {
+    for (int b = 0; b < system->body_count; b++)
+        if (system->strain_limit[b]->on)
+            return true;
+    return false;
+}
+
+double guard_bound_corrected(const StepGuard* guard, const Method* method, const System* system) {
+    int body;
+    const bool of_constraints = method->takes != NULL;
+    if (guard->mode != GUARD_SPLIT || !method->implicit ||
+        !(of_constraints || guard_limits_strain(system)))
+        return (double)INFINITY;
+    return guard_bound(&method_euler, system, &body);
+}
+
 bool guard_due(const StepGuard* guard, long step_count) {
     return guard->changed || step_count % GUARD_INTERVAL == 0 || guard_due_within(guard);
 }

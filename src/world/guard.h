@@ -21,6 +21,10 @@
 ///
 /// Methods of constraints are stable at every step, and wrong at long ones. Under `split` a step of
 /// theirs whose residual is above RESIDUAL_MAX is halved as one that is not solved.
+///
+/// Contacts and strain limits correct velocities after the solve of an implicit step, by impulses
+/// that know no spring: a skin gives way by what its springs do in one step. Substeps with such
+/// corrections are at most the explicit bound, under `split`. (Contacts of `newton` are not counted.)
 #ifndef BALLOON_WORLD_GUARD_H
 #define BALLOON_WORLD_GUARD_H
 
@@ -69,6 +73,13 @@ StepGuard guard_new(Guard mode);
 /// Smallest bound of all bodies that are awake [s], INFINITY where there is none; *body is the body
 /// with that bound.
 double guard_bound(const Method* method, const System* system, int* body);
+
+/// Longest implicit substep whose velocities are corrected [s]: the explicit bound of all bodies;
+/// INFINITY where none is limited.
+double guard_bound_corrected(const StepGuard* guard, const Method* method, const System* system);
+
+/// Whether a body of the system has strain limits.
+bool guard_limits_strain(const System* system);
 
 /// Whether the bound must be computed before the next step, or within one.
 bool guard_due(const StepGuard* guard, long step_count);

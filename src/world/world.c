@@ -204,12 +204,19 @@ static double kick(World* world, double h, double whole) {
     return length;
 }
 
+/// By the corrections of its velocities that are to be expected. [s]
+static double longest_substep(const World* world) {
+    const bool corrected = world->contacts.contact_count > 0 || guard_limits_strain(&world->system);
+    return corrected ? world->corrected : (double)INFINITY;
+}
+
 /// Advance by h, in several substeps where balls are near or a method cannot solve h at once: each
 /// is a safe length, a kick and a drift.
 static void advance(World* world, double h) {
     const double whole = h;
     for (int parts = 0; h > whole * rounding && parts < SUBSTEPS_NEAR; parts++) {
-        const double safe = contacts_safe_step(&world->contacts, fmin(h, world->solvable * whole));
+        const double longest = fmin(longest_substep(world), world->solvable * whole);
+        const double safe = contacts_safe_step(&world->contacts, fmin(h, longest));
         const double length = kick(world, safe, whole);
         if (is_over(world))
             return;
@@ -269,6 +276,7 @@ void world_step(World* world) {
     flow_gas(world, world->step);
     rest_wake_changed(world);
     energy_watch_start(world);
+    world->corrected = guard_bound_corrected(&world->guard, world->method, &world->system);
     do
         make_substeps(world);
     while (!is_over(world) && energy_watch_takes_back(world));

@@ -33,7 +33,8 @@ struct World {
     StepGuard guard;
     EnergyWatch watch;
     double drift; ///< length of the last drift; contacts shorten it where balls are near a skin [s]
-    double solvable; ///< longest substep that the method could last solve [of the step]
+    double solvable;  ///< longest substep that the method could last solve [of the step]
+    double corrected; ///< longest substep where velocities are corrected after the solve [s]
     Blowup blowup;
     char notice[256]; ///< a message that the program shows once; empty: none
 };

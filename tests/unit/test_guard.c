@@ -137,6 +137,23 @@ static void long_steps_of_constraints_keep_the_volume(void** state) {
     }
 }
 
+/// Corrections after the solve, at a hundred times the scenes' own steps. The volume is 4.13 m^3 by
+/// euler at 0.002 s, 4.20 here, the area of a sheet with a ball 4.84 m^2, and 4.94 here. Without
+/// shorter substeps the volume was 195,000 and the sheet became twice as large.
+static void long_steps_with_corrections_are_made_in_shorter_ones(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "turtle-corrected", "method=xpbd", "step=0.2");
+    run_for(&world, 8);
+    assert_close(probe(&world, "balloon0.volume"), 4.13, 0.04);
+    world_close(&world);
+
+    WORLD_OF(&world, "ball-rests", "method=projective", "step=0.2");
+    run_for(&world, 2);
+    assert_close(probe(&world, "balloon0.area"), 4.84, 0.03);
+    world_close(&world);
+}
+
 /// What is not a number has no step that solves it.
 static void no_method_solves_a_nan(void** state) {
     (void)state;
@@ -165,6 +182,7 @@ int main(void) {
         cmocka_unit_test(undoing_an_overlap_is_no_gain),
         cmocka_unit_test(long_steps_of_constraints_keep_the_volume),
         cmocka_unit_test(long_steps_are_measured_again_in_time),
+        cmocka_unit_test(long_steps_with_corrections_are_made_in_shorter_ones),
         cmocka_unit_test(no_method_solves_a_nan),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,8 +4,8 @@
 /// A cell is kept where the run ends and each balloon's last volume, of an open one the area, is
 /// right within 10 VOLUME_TOLERANCE: it lies so near the range of volumes that the reference has in
 /// the second half of the scene. The reference is the scene by its own method, at half its own step,
-/// in double. Where the scene is at rest by then the range is one volume; where it rings, methods
-/// damp it more or less. A cell may also stop or be refused with a sentence. It may not end with exit
+/// in double. Where the scene is at rest by then the range is one volume. Where it rings, methods damp
+/// it more or less, and it may come to rest outside: as far again as the range is wide. A cell may also stop or be refused with a sentence. It may not end with exit
 /// status 0 and another volume. A run that takes too long for the table says at its limit how far it is.
 ///
 /// The scenes of the museum of failures are left out: they fail by what they are made for, and the
@@ -81,8 +81,8 @@ static void add_run(const Table* table, Launch* launch, const GuardScene* scene,
     launch_add(launch, "--step=%.17g", step);
 }
 
-/// How far a value lies outside the range of a column in the second half of the reference, relative
-/// to the column's largest number [1].
+/// How far a value lies outside the range of a column in the second half of the reference, and as
+/// much on both sides, relative to the column's largest number [1].
 static double distance_from(const Report* reference, const char* column, double value) {
     double low = INFINITY, high = -INFINITY, size = 0;
     for (int r = 0; r < reference->rows; r++) {
@@ -91,7 +91,7 @@ static double distance_from(const Report* reference, const char* column, double 
         low = 2 * r < reference->rows ? low : fmin(low, now);
         high = 2 * r < reference->rows ? high : fmax(high, now);
     }
-    return fmax(fmax(low - value, value - high), 0) / size;
+    return fmax(fmax(low - value, value - high) - (high - low), 0) / size;
 }
 
 /// Largest error of the balloons' last volumes, or areas [1].
