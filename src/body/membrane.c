@@ -165,8 +165,11 @@ VolumeRatio membrane_volume_ratio(const Membrane* membrane, const real4* x) {
     VolumeRatio ratio = {0, 1};
     for (int e = 0; e < membrane->count; e++) {
         const double rest = (double)membrane->rest[e][3];
-        const double now = membrane_share(membrane, e) * membrane_thickness(membrane, x, e) *
-                           membrane_area(membrane, x, e);
+        const double thickness = membrane_thickness(membrane, x, e);
+        // an element without area is infinitely thick, and keeps its volume
+        const double now = thickness < INFINITY ? membrane_share(membrane, e) * thickness *
+                                                      membrane_area(membrane, x, e)
+                                                : rest;
         ratio.sum += now;
         if (fabs(now / rest - 1) > fabs(ratio.worst - 1))
             ratio.worst = now / rest;

@@ -5,6 +5,9 @@
 
 static const double shape_resolution = 1e-3; ///< [1] of a size, largest spacing of numbers
 
+/// Largest coordinate [m]: its cube is a number of float, and Bullet's boxes end at 1e18 m.
+static const double coordinate_max = 1e12;
+
 /// Flexion springs and torsion join the ends of each two edges at a vertex: too many, if it has many.
 static bool check_paths(const Balloon* balloon, const char* location, int number, Fault* fault) {
     const SpringsDef* springs = balloon->def->skin.springs;
@@ -45,6 +48,11 @@ bool balloon_check_position(const Body* body, const char* location, int number, 
             farthest = fmax(farthest, fabs((double)body->x[i][k]));
             finite = finite && isfinite(body->x[i][k]);
         }
+    if (finite && farthest > coordinate_max)
+        return fault_set(
+            fault, location,
+            "balloons.%d: it reaches %g m from the origin; coordinates are at most %g m", number,
+            farthest, coordinate_max);
     const double spacing = farthest * (double)REAL_EPSILON;
     return (finite && spacing <= shape_resolution * (double)body->size) ||
            fault_set(fault, location,

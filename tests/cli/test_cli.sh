@@ -107,6 +107,8 @@ ok "a bench plays at random, the same twice" grep -qE "^party +2 +[0-9]+ +[1-9]"
 ok "no step of a scene is wrong under the guard" grep -qE "^[0-9]+ cells, 0 of them WRONG$" <("$balloon" bench guard --quick)
 ok "no value of a scene makes it end wrongly" grep -qE "^[0-9]+ scenes: .* 0 WRONG$" <("$balloon" bench scenes --quick)
 ok "and a scene of the storm can be seen alone" grep -qE "^  balloon run .* --set=" <("$balloon" bench scenes --only 2)
+ok "rubber without area has a volume" test "$("$balloon" run fails/stvk-collapse --set balloons.0.skin.membrane.young=4.3e-6 --seconds 0.3 --fps 10 --quiet --csv - | grep -c nan)" = 0
+bad "coordinates are at most" "$balloon" run launch-1 --set balloons.0.scale=7e16
 bad "is not a seed" "$balloon" bench scenes --only x
 bad "no such bench" "$balloon" bench nothing
 
