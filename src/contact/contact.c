@@ -11,6 +11,8 @@ static const real tolerance = (real)1e-3; ///< [1] of the largest initial relati
 static const real max_overlap_share = (real)0.2; ///< [1]
 static const real max_overlap_rate = 20;         ///< [1/s]
 static const real max_overlap_radii = 2; ///< [radii/s] nothing is shot out of a deep overlap
+static const real max_overlap_speed =
+    (real)0.3; ///< [m/s] a whole skin is less than 3 times as fast
 static const double rounding = 8 * (double)REAL_EPSILON; ///< [1] of velocities in a sum
 
 void contact_set_masses(Contact* contact) {
@@ -157,6 +159,12 @@ static ContactReport energy_report(Contact* const* contact, int count) {
     return report;
 }
 
+real contact_overlap_speed(real gap, real size, real h) {
+    const real rate = real_min(max_overlap_share / h, max_overlap_rate);
+    const real max = real_min(max_overlap_radii * size, max_overlap_speed);
+    return gap < 0 ? real_min(-rate * gap, max) : 0;
+}
+
 /// Initial relative velocities, and the separation speeds for a bounce or out of an overlap.
 /// Returns whether any contact has one that may be scaled.
 static bool set_separation_speeds(Contact* const* contact, int count, real h) {
@@ -165,10 +173,10 @@ static bool set_separation_speeds(Contact* const* contact, int count, real h) {
         Contact* c = contact[k];
         c->initial_velocity = contact_relative_velocity(c);
         const real along = dot(c->normal, c->initial_velocity);
-        const real rate = real_min(max_overlap_share / h, max_overlap_rate);
-        c->overlap_speed = c->gap < 0 ? real_min(-rate * c->gap, max_overlap_radii * c->size) : 0;
+        c->overlap_speed = contact_overlap_speed(c->gap, c->size, h);
         const bool bounces = c->first && along < -c->min_bounce_speed && -along * h >= c->gap;
-        c->bounce_speed = bounces ? -c->restitution * along : 0;
+        c->bounce_speed =
+            bounces ? real_max(0, -c->restitution * (along + c->fall_speed) - c->fall_speed) : 0;
         any |= c->bounce_speed > 0 || (!c->rigid && c->overlap_speed > 0);
     }
     return any;

@@ -13,9 +13,10 @@
 /// of length h
 ///
 ///     n.u' >= -gap / h             the two do not overlap at the end of the drift
-///     n.u' >= -restitution n.u     at a first hit faster than min_bounce_speed
+///     n.u' >= -restitution (n.u + a) - a   at a first hit faster than min_bounce_speed
 ///     |P_t| <= friction P_n        Coulomb's law; P_t acts against the tangential part of u
 ///
+/// u is the velocity in the middle of the drift, n.u + a that at its start, a the fall_speed.
 /// P and -P act along one line through p, so linear and angular momentum are kept to rounding. The
 /// normal impulses without restitution minimize the kinetic energy under the first condition, so
 /// the energy does not rise; where restitution or the separation of an overlap would raise it, the
@@ -59,6 +60,7 @@ typedef struct Contact {
     real friction;         ///< Coulomb's coefficient
     real restitution;      ///< Newton's coefficient, of a first hit
     real min_bounce_speed; ///< a first hit with a slower approach does not bounce [m/s]
+    real fall_speed;       ///< of the approach, by gravity in half of the drift [m/s]
     bool first;            ///< the pair did not touch before: restitution applies
     bool rigid;            ///< neither side gives way: an overlap is undone at any energy
     // state of the solver
@@ -91,6 +93,11 @@ void contact_set_masses(Contact* contact);
 /// Change velocities and spins so that the drift of length h meets the conditions above, for the
 /// contacts of one island.
 ContactReport contact_solve(Contact* const* contact, int count, double h);
+
+/// Speed at which an overlap of -gap is undone in a drift of length h: 0 where there is none, at most
+/// 0.3 m/s, and in proportion to the overlap, so that little is left of it at the end. size: of the
+/// smaller ball, INFINITY without one [m/s].
+real contact_overlap_speed(real gap, real size, real h);
 
 /// u, the relative velocity at the contact point.
 real4 contact_relative_velocity(const Contact* contact);

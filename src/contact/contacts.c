@@ -70,6 +70,7 @@ static void forget(Contacts* contacts) {
 
 void contacts_clear(Contacts* contacts) {
     contacts->sphere_count = 0;
+    contacts->drift = contacts->kicked = 0;
     forget(contacts);
 }
 
@@ -122,8 +123,10 @@ static void solve(Contacts* contacts, double h) {
 
 double contacts_velocities(Contacts* contacts, double h) {
     stop(contacts, h);
+    const real fall = (real)(contacts_fall_time(contacts, h) * contacts->gravity);
+    contacts->kicked = h;
     for (int s = 0; s < contacts->sphere_count; s++)
-        contacts->sphere[s].v[1] -= (real)(h * contacts->gravity);
+        contacts->sphere[s].v[1] -= fall;
     gather(contacts, h);
     reaction_begin(contacts);
     solve(contacts, h);
@@ -154,12 +157,16 @@ void contacts_penalty(Contacts* contacts, double h) {
 }
 
 void contacts_keep(Contacts* contacts) {
+    contacts->good_drift = contacts->drift;
+    contacts->good_kicked = contacts->kicked;
     contacts->good_count = contacts->sphere_count;
     if (contacts->good_count)
         memcpy(contacts->good, contacts->sphere, (size_t)contacts->good_count * sizeof(Sphere));
 }
 
 void contacts_put_back(Contacts* contacts) {
+    contacts->drift = contacts->good_drift;
+    contacts->kicked = contacts->good_kicked;
     contacts->sphere_count = contacts->good_count;
     forget(contacts);
     if (contacts->good_count)

@@ -57,6 +57,7 @@ typedef struct Contacts {
     ContactPair* pair;  ///< [sphere_count * skin_count], ball after ball
     BulletBalls* balls; ///< broad phase of the balls; NULL until the first one
     double drift;       ///< length of the last one [s]
+    double kicked;      ///< length of the substep that the balls' last kick was for [s]
     int contact_count;  ///< contacts that may touch in this part
     int near_count;     ///< those, and behind them the triangles that are near
     int contact_capacity;
@@ -67,8 +68,10 @@ typedef struct Contacts {
     WarmStart warm;  ///< what pushed in the last part
     int good_count, good_capacity;
     Sphere* good; ///< [good_capacity] last good state of the balls
+    double good_drift, good_kicked;
     long pass_throughs;
-    double separation_work; ///< kinetic energy given to rigid overlaps to undo them, so far [J]
+    double
+        separation_work; ///< kinetic energy given to undo overlaps with planes and of balls, so far [J]
 } Contacts;
 
 /// No balls yet. body: the skins, which must stay where they are; before: the velocities of each
@@ -92,6 +95,13 @@ double contacts_velocities(Contacts* contacts, double h);
 
 /// Count the pass-throughs of this drift, and move the balls. Call before the skins drift.
 void contacts_drift(Contacts* contacts, double h);
+
+/// Time for which gravity acts on the balls' velocities before a drift of length h [s]. As in
+/// leapfrog these are the velocities in the middle of a drift, so that a ball flies on one parabola
+/// through drifts of any lengths: half of the last drift's time, as it was kicked for, is in them.
+static inline double contacts_fall_time(const Contacts* contacts, double h) {
+    return contacts->drift > 0 ? contacts->drift - contacts->kicked / 2 + h / 2 : h;
+}
 
 /// The paper's penalty, if that is the law: call after the skins have drifted.
 void contacts_penalty(Contacts* contacts, double h);

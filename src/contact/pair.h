@@ -62,9 +62,9 @@ static inline double pair_safe_time(double safe, double gap, double radius, doub
 }
 
 /// Whether a rigid pair bounces: it closes its gap in a drift of length h, and faster than a pair at
-/// rest.
-static inline bool pair_bounces(double gap, double closing, double h) {
-    return closing * h >= gap && closing > pair_min_bounce * h;
+/// rest. longest: the longer of this drift and the last, of which both have kicked it.
+static inline bool pair_bounces(double gap, double closing, double h, double longest) {
+    return closing * h >= gap && closing > pair_min_bounce * longest;
 }
 
 /// Whether nodes 1 to 3 are the corners of a triangle of a skin.

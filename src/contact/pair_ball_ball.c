@@ -23,7 +23,7 @@ static double safe_time(Contacts* contacts, double h, double added) {
 }
 
 static double safe_step(Contacts* contacts, double h) {
-    return safe_time(contacts, h, contacts->gravity * h);
+    return safe_time(contacts, h, contacts->gravity * contacts_fall_time(contacts, h));
 }
 
 /// The time until |d + t v| = reach, for |d| > reach; INFINITY if never.
@@ -37,7 +37,7 @@ static double time_to_touch(double4 d, double4 v, double reach) {
 /// Normal, gap and lever arms of two balls. Touching: at the point between them, so that the pair's
 /// angular momentum is kept. Apart: where their straight paths make them touch within h, in the
 /// directions of that time. Returns whether they do.
-static bool meet(Contact* contact, Sphere* a, Sphere* b, double h) {
+static bool meet(Contact* contact, Sphere* a, Sphere* b, double h, double rest_h) {
     const double4 d = to_double4(a->x) - to_double4(b->x);
     const double4 v = to_double4(a->v) - to_double4(b->v);
     const double reach = (double)a->radius + (double)b->radius;
@@ -55,7 +55,7 @@ static bool meet(Contact* contact, Sphere* a, Sphere* b, double h) {
     const double closing = -ddot(normal, v);
     contact->normal = to_real4(normal);
     contact->gap = (real)gap;
-    contact->first = pair_bounces(gap, closing, h);
+    contact->first = pair_bounces(gap, closing, h, rest_h);
     pair_set_ball(contact, 0, a, 1, (real)((double)a->radius + between / 2));
     pair_set_ball(contact, 1, b, -1, (real)((double)b->radius + between / 2));
     contact_set_masses(contact);
@@ -80,7 +80,7 @@ static void gather(Contacts* contacts, int row, double h) {
                              .row = row,
                              .pair = first,
                              .feature = second};
-        if (meet(contact, a, b, h))
+        if (meet(contact, a, b, h, fmax(h, contacts->drift)))
             pair_keep(contacts, true, h);
     }
 }

@@ -4,8 +4,28 @@ static double gap_of(const Plane* plane, const Sphere* ball) {
     return ddot(plane->normal, to_double4(ball->x) - plane->point) - (double)ball->radius;
 }
 
-/// A ball bounces at the start of the substep in which it hits: a short substep keeps the time of
-/// the hit.
+/// [1] of the height of a bounce that may be lost because it begins before the ball has come down.
+static const double early_share = 2e-4;
+static const double min_drift = 0.01; ///< [1] of a drift that a hit may shorten it to
+
+/// A ball bounces at the start of the drift in which it hits, `gap` above the plane: there is less
+/// energy to lose than at the plane, so it rises by (1 - e^2) gap too high. Where that counts, a drift
+/// ends at the hit, the root of gap + w t - g t^2 / 2. At most h [s].
+static double time_to_bounce(const Contacts* contacts, const Plane* plane, const Sphere* ball,
+                             double gap, double h) {
+    const double g = contacts->gravity * plane->normal[1], e = (double)ball->restitution;
+    const double since = contacts_fall_time(contacts, 0); // the velocity is that much older
+    const double w =
+        ddot(plane->normal, to_double4(ball->v)) - (contacts->drift > 0 ? g * since : 0);
+    const double impact2 = w * w + 2 * g * gap; // squared speed of the hit
+    if (!(e > 0 && gap > 0 && impact2 > 0))
+        return h;
+    const double t = 2 * gap / (sqrt(impact2) - w);
+    const bool counts = 2 * g * (1 - e * e) * gap > early_share * e * e * impact2 &&
+                        impact2 > pow(pair_min_bounce * fmax(t, contacts->drift), 2);
+    return t > min_drift * h && t < h && counts ? t : h;
+}
+
 static double safe_step(Contacts* contacts, double h) {
     double safe = h;
     for (int s = 0; s < contacts->sphere_count; s++)
@@ -14,9 +34,26 @@ static double safe_step(Contacts* contacts, double h) {
             const Plane* plane = &contacts->plane[k];
             const double speed = fabs(ddot(plane->normal, to_double4(ball->v)));
             safe = pair_safe_time(safe, gap_of(plane, ball), (double)ball->radius,
-                                  speed + contacts->gravity * h);
+                                  speed + contacts->gravity * contacts_fall_time(contacts, h));
+            safe = time_to_bounce(contacts, plane, ball, gap_of(plane, ball), safe);
         }
     return safe;
+}
+
+/// A ball behind a plane comes out no faster than its overlap asks for, and so comes to rest there.
+static void stop(Contacts* contacts, double h) {
+    for (int s = 0; s < contacts->sphere_count; s++)
+        for (int k = 0; k < contacts->plane_count; k++) {
+            Sphere* ball = &contacts->sphere[s];
+            const Plane* plane = &contacts->plane[k];
+            const double gap = gap_of(plane, ball);
+            if (!(gap < -pair_touching * (double)ball->radius))
+                continue;
+            const double excess = ddot(plane->normal, to_double4(ball->v)) -
+                                  (double)contact_overlap_speed((real)gap, ball->radius, (real)h);
+            if (excess > 0)
+                ball->v -= to_real4(excess * plane->normal);
+        }
 }
 
 static void gather_pair(Contacts* contacts, int row, int s, int k, double h) {
@@ -33,7 +70,8 @@ static void gather_pair(Contacts* contacts, int row, int s, int k, double h) {
                          .size = ball->radius,
                          .friction = ball->friction,
                          .restitution = ball->restitution,
-                         .first = pair_bounces(gap, closing, h),
+                         .first = pair_bounces(gap, closing, h, fmax(h, contacts->drift)),
+                         .fall_speed = (real)(contacts->gravity * plane->normal[1] * h / 2),
                          .rigid = true,
                          .side = {s, NONE},
                          .row = row,
@@ -67,5 +105,6 @@ const PairRow pair_ball_plane = {
     .about = "a ball and the floor or a wall",
     .safe_step = safe_step,
     .gather = gather,
+    .stop = stop,
     .limit_drift = limit_drift,
 };

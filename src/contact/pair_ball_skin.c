@@ -14,7 +14,8 @@ static const real bounce_kicks = 4;   ///< [kicks] slowest bounce: it lasts 8 su
 /// Looks at the triangles only where the boxes do not rule the skin out.
 static double safe_step_to_skin(Contacts* contacts, ContactSkin* skin, Sphere* sphere, double h) {
     const double radius = (double)sphere->radius;
-    const double speed = (double)length(sphere->v) + contacts->gravity * h + skin->fastest;
+    const double speed = (double)length(sphere->v) +
+                         contacts->gravity * contacts_fall_time(contacts, h) + skin->fastest;
     const double reach = radius + speed * h;
     if (speed * h <= pair_max_overlap * radius ||
         broad_phase_box_distance(skin, to_double4(sphere->x)) >= reach)
@@ -77,7 +78,7 @@ static void gather_pair(Contacts* contacts, int row, int s, int b, double h) {
     const double radius = (double)sphere->radius;
     const double speed = (double)length(sphere->v) + skin->fastest;
     const double reach = (1 + slack) * radius + 2 * speed * h;
-    const real fall = (real)(h * contacts->gravity);
+    const real fall = (real)(fmax(h, contacts->drift) * contacts->gravity);
     bool touching = false;
     pair->searched = fmax(reach, broad_phase_box_distance(skin, to_double4(sphere->x)));
     const int count =

@@ -14,7 +14,8 @@ static void stop(Contacts* contacts, double h) {
         const Extent x = extent_of(body->x, body->count), v = extent_of(body->v, body->count);
         for (int k = 0; k < contacts->plane_count; k++)
             if (plane_within(&contacts->plane[k], &x, &v, h))
-                *reaction_on(contacts, b, k) += plane_stop(body, &contacts->plane[k], h);
+                *reaction_on(contacts, b, k) +=
+                    plane_stop(body, &contacts->plane[k], h, &contacts->separation_work);
     }
 }
 

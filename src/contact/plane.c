@@ -1,7 +1,6 @@
 #include "contact/plane.h"
 
-static const real way_out = (real)0.2; ///< [1] part of a depth that a drift may undo
-static const real way_rate = 20; ///< [1/s] and part in a second, so that short drifts do not kick
+#include "contact/contact.h"
 
 bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h) {
     double4 nearest = {0};
@@ -11,7 +10,7 @@ bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h
     return !(ddot(plane->normal, nearest - plane->point) > 2 * extent_length(v) * h);
 }
 
-double plane_stop(Body* body, const Plane* plane, double step) {
+double plane_stop(Body* body, const Plane* plane, double step, double* work) {
     const real h = (real)step;
     const real4 n = to_real4(plane->normal), point = to_real4(plane->point);
     double impulse = 0;
@@ -20,7 +19,8 @@ double plane_stop(Body* body, const Plane* plane, double step) {
         const real along = dot(n, body->v[i]);
         if (gap > 0 && gap > -2 * along * h) // the most are far away, and need no division
             continue;
-        const real stop = (gap > 0 ? -gap / h : -real_min(way_out / h, way_rate) * gap) - along;
+        const real out = gap > 0 ? -gap / h : contact_overlap_speed(gap, (real)INFINITY, h);
+        const real stop = out - along;
         if (stop <= 0 || body->inverse_mass[i] <= 0)
             continue;
 
@@ -29,6 +29,8 @@ double plane_stop(Body* body, const Plane* plane, double step) {
         const real kept = speed > plane->friction * stop ? 1 - plane->friction * stop / speed : 0;
         body->v[i] = (along + stop) * n + kept * slide;
         impulse += (double)(body->mass[i] * stop);
+        if (gap < 0)
+            *work += fmax(0, (double)(body->mass[i] * stop * (along + out) / 2));
     }
     return impulse;
 }

@@ -22,7 +22,8 @@ static inline real plane_gap(const Plane* plane, real4 x) {
 bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h);
 
 /// Change velocities so that no particle ends a drift of length h behind the plane. Inelastic; each
-/// particle for itself, so in closed form. Returns the sum of the normal impulses [N s].
-double plane_stop(Body* body, const Plane* plane, double h);
+/// particle for itself, so in closed form. Returns the sum of the normal impulses [N s], and adds to
+/// `work` the kinetic energy that particles behind the plane get to come out [J].
+double plane_stop(Body* body, const Plane* plane, double h, double* work);
 
 #endif
