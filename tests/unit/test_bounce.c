@@ -85,7 +85,7 @@ static void ball_below_the_floor_comes_out_gently(void** state) {
     for (int k = 0; k < 9; k++) {
         Contacts contacts;
         const double radius = radii[k / 3], h = steps[k % 3];
-        open_at(&contacts, -3 * radius, radius, 0.8);
+        open_at(&contacts, -radius, radius, 0.8);
         contacts.sphere[0].v[1] = 5;
         for (int n = 0; n * h < 5; n++) {
             step_ball(&contacts, h);
