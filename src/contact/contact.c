@@ -196,6 +196,13 @@ static bool apply_warm_start(Contact* const* contact, int count) {
     return any;
 }
 
+void contact_set_bounds(Contact* contact, double h) {
+    set_separation_speeds(&contact, 1, (real)h);
+    if (!contact->rigid)
+        contact->bounce_speed = 0;
+    set_min_separation(&contact, 1, (real)h, 1);
+}
+
 ContactReport contact_solve(Contact* const* contact, int count, double step) {
     const real h = (real)step;
     real scale = set_separation_speeds(contact, count, h) ? 1 : 0;

@@ -90,6 +90,10 @@ typedef struct ContactReport {
 /// Effective masses along and across the normal, of the nodes and levers.
 void contact_set_masses(Contact* contact);
 
+/// Set initial_velocity and min_separation_speed for a method that solves the contacts within its own
+/// equation. Only rigid pairs bounce: a skin that gives way bounces a ball by its own elasticity.
+void contact_set_bounds(Contact* contact, double h);
+
 /// Change velocities and spins so that the drift of length h meets the conditions above, for the
 /// contacts of one island.
 ContactReport contact_solve(Contact* const* contact, int count, double h);

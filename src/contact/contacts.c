@@ -50,6 +50,7 @@ void contacts_add(Contacts* contacts, const Sphere* sphere) {
     const int s = contacts->sphere_count++;
     array_reserve(contacts->sphere, s, contacts->sphere_capacity);
     array_reserve(contacts->good, s, contacts->good_capacity);
+    array_reserve(contacts->start, s, contacts->start_capacity);
     contacts->sphere[s] = *sphere;
     for (int b = 0; b < contacts->skin_count; b++) {
         const Body* body = contacts->skin[b].body;
@@ -84,10 +85,24 @@ double contacts_safe_step(Contacts* contacts, double h) {
     return h;
 }
 
-static void gather(Contacts* contacts, double h) {
+static void clear_list(Contacts* contacts) {
     contacts->contact_count = contacts->near_count = contacts->warm.next = 0;
+}
+
+static void gather(Contacts* contacts, double h) {
+    clear_list(contacts);
     for (int r = 0; r < PAIR_ROWS; r++)
         if (pair_table[r]->gather)
+            pair_table[r]->gather(contacts, r, h);
+}
+
+/// The rows' contacts for an equation.
+static void gather_all(Contacts* contacts, double h) {
+    clear_list(contacts);
+    for (int r = 0; r < PAIR_ROWS; r++)
+        if (pair_table[r]->gather_all)
+            pair_table[r]->gather_all(contacts, r, h);
+        else if (pair_table[r]->gather)
             pair_table[r]->gather(contacts, r, h);
 }
 
@@ -106,10 +121,8 @@ static double limit_drift(Contacts* contacts, double h) {
 }
 
 static void solve(Contacts* contacts, double h) {
-    if (contacts->contact_count == 0) {
-        contacts->warm.count = 0;
+    if (contacts->contact_count == 0)
         return;
-    }
     Islands* islands = &contacts->islands;
     islands_find(islands, contacts->contact, contacts->contact_count,
                  contacts->sphere_count + contacts->skin_count);
@@ -118,17 +131,56 @@ static void solve(Contacts* contacts, double h) {
             fmax(0, contact_solve(islands->contact + islands->start[i],
                                   islands->start[i + 1] - islands->start[i], h)
                         .kinetic);
-    warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
 }
 
-double contacts_velocities(Contacts* contacts, double h) {
-    stop(contacts, h);
+static void add_weight(Contacts* contacts, double h) {
     const real fall = (real)(contacts_fall_time(contacts, h) * contacts->gravity);
     contacts->kicked = h;
     for (int s = 0; s < contacts->sphere_count; s++)
         contacts->sphere[s].v[1] -= fall;
+}
+
+double contacts_velocities(Contacts* contacts, double h) {
+    stop(contacts, h);
+    add_weight(contacts, h);
     gather(contacts, h);
     reaction_begin(contacts);
+    solve(contacts, h);
+    warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
+    h = limit_drift(contacts, h);
+    reaction_end(contacts);
+    return h;
+}
+
+static void copy_balls(Sphere* to, const Sphere* from, int count) {
+    if (count > 0)
+        memcpy(to, from, (size_t)count * sizeof *to);
+}
+
+void contacts_begin(Contacts* contacts, double h) {
+    copy_balls(contacts->start, contacts->sphere, contacts->sphere_count);
+    contacts->start_kicked = contacts->kicked;
+    add_weight(contacts, h);
+    gather_all(contacts, h);
+    reaction_begin(contacts);
+    for (int k = 0; k < contacts->contact_count; k++)
+        contact_set_bounds(&contacts->contact[k], h);
+}
+
+void contacts_undo(Contacts* contacts) {
+    copy_balls(contacts->sphere, contacts->start, contacts->sphere_count);
+    contacts->kicked = contacts->start_kicked;
+}
+
+double contacts_finish(Contacts* contacts, double h) {
+    reaction_add_planes(contacts);
+    warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
+    stop(contacts, h);
+    gather(contacts, h);
+    for (int k = 0; k < contacts->contact_count; k++) { // the equation has applied them
+        contacts->contact[k].normal_impulse = 0;
+        contacts->contact[k].tangent_impulse = (real4){0, 0, 0, 0};
+    }
     solve(contacts, h);
     h = limit_drift(contacts, h);
     reaction_end(contacts);
@@ -197,6 +249,7 @@ void contacts_close(Contacts* contacts) {
     free(contacts->skin);
     free(contacts->sphere);
     free(contacts->good);
+    free(contacts->start);
     free(contacts->pair);
     free(contacts->contact);
     free(contacts->candidate);

@@ -69,6 +69,9 @@ typedef struct Contacts {
     int good_count, good_capacity;
     Sphere* good; ///< [good_capacity] last good state of the balls
     double good_drift, good_kicked;
+    int start_capacity;
+    Sphere* start;       ///< [start_capacity] the balls before contacts_begin
+    double start_kicked; ///< `kicked` then [s]
     long pass_throughs;
     double
         separation_work; ///< kinetic energy given to undo overlaps with planes and of balls, so far [J]
@@ -92,6 +95,18 @@ double contacts_safe_step(Contacts* contacts, double h);
 /// may touch it. Returns how much of h may be drifted: h, unless contacts made something much
 /// faster.
 double contacts_velocities(Contacts* contacts, double h);
+
+/// The same for a method whose equation contains the contacts, in two parts around its solve. Before:
+/// balls' weight, and the list of the contacts that may touch, among them all particles near planes,
+/// with the warm start's impulses and the lower bounds of n.u'.
+void contacts_begin(Contacts* contacts, double h);
+
+/// Where the equation was not solved: the balls' velocities as they were before contacts_begin.
+void contacts_undo(Contacts* contacts);
+
+/// After: keep the list's impulses for the next warm start; then solve what the equation left or did
+/// not contain. Returns how much of h may be drifted.
+double contacts_finish(Contacts* contacts, double h);
 
 /// Count the pass-throughs of this drift, and move the balls. Call before the skins drift.
 void contacts_drift(Contacts* contacts, double h);

@@ -50,6 +50,12 @@ void islands_find(Islands* islands, Contact* contact, int count, int side_count)
         islands->contact[k] = &contact[islands->order[k]];
 }
 
+int islands_of_side(const Islands* islands, int side) {
+    while (islands->parent[side] != side)
+        side = islands->parent[side];
+    return islands->island[side];
+}
+
 void islands_close(Islands* islands) {
     free(islands->start);
     free(islands->contact);

@@ -23,6 +23,9 @@ typedef struct Islands {
 /// numbers that contacts have for their sides.
 void islands_find(Islands* islands, Contact* contact, int count, int side_count);
 
+/// Number of a side's island, or NONE if it has no contact.
+int islands_of_side(const Islands* islands, int side);
+
 void islands_close(Islands* islands);
 
 #endif

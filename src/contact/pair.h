@@ -21,6 +21,10 @@ typedef struct PairRow {
     /// the row.
     void (*gather)(Contacts* contacts, int row, double h);
 
+    /// The same for a method whose equation contains the contacts, from the velocities before the
+    /// step; NULL: gather.
+    void (*gather_all)(Contacts* contacts, int row, double h);
+
     /// Closed form, before the list: change velocities for a drift of length h.
     void (*stop)(Contacts* contacts, double h);
 

@@ -5,6 +5,7 @@
 #include "contact/reaction.h"
 
 static const real near_share = (real)0.05; ///< [ball radii] from a plane that counts as near
+static const double near_size = 0.02;      ///< [body sizes] the same, for an equation
 
 static void stop(Contacts* contacts, double h) {
     for (int b = 0; contacts->plane_count > 0 && b < contacts->skin_count; b++) {
@@ -85,9 +86,31 @@ static void gather(Contacts* contacts, int row, double h) {
     }
 }
 
+/// Every particle that may come to a plane. Particles beside those that touch are listed, too: the
+/// equation finds which of them the step presses on the plane.
+static void gather_all(Contacts* contacts, int row, double h) {
+    for (int b = 0; contacts->plane_count > 0 && b < contacts->skin_count; b++) {
+        const Body* body = contacts->skin[b].body;
+        if (body->asleep)
+            continue;
+        const Extent x = extent_of(body->x, body->count), v = extent_of(body->v, body->count);
+        const double reach = 2 * h * extent_length(&v) + near_size * body->size;
+        bool near = false;
+        for (int k = 0; k < contacts->plane_count; k++)
+            near |= plane_box_gap(&contacts->plane[k], &x) <= reach;
+        for (int f = 0; near && f < body->count * contacts->plane_count; f++) {
+            const int i = f / contacts->plane_count;
+            const Plane* plane = &contacts->plane[f % contacts->plane_count];
+            if (body->inverse_mass[i] > 0 && (double)plane_gap(plane, body->x[i]) <= reach)
+                add(contacts, row, b, f, h);
+        }
+    }
+}
+
 const PairRow pair_skin_plane = {
     .name = "skin-plane",
     .about = "a skin's particles and the floor or a wall; in closed form where no ball pushes them",
     .gather = gather,
+    .gather_all = gather_all,
     .stop = stop,
 };

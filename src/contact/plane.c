@@ -2,12 +2,16 @@
 
 #include "contact/contact.h"
 
-bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h) {
+double plane_box_gap(const Plane* plane, const Extent* x) {
     double4 nearest = {0};
     for (int k = 0; k < 3; k++)
         nearest[k] = (double)(plane->normal[k] > 0 ? x->low[k] : x->high[k]);
+    return ddot(plane->normal, nearest - plane->point);
+}
+
+bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h) {
     // twice the way, as plane_stop has it; written so that a NaN is within
-    return !(ddot(plane->normal, nearest - plane->point) > 2 * extent_length(v) * h);
+    return !(plane_box_gap(plane, x) > 2 * extent_length(v) * h);
 }
 
 double plane_stop(Body* body, const Plane* plane, double step, double* work) {

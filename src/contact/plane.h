@@ -17,6 +17,9 @@ static inline real plane_gap(const Plane* plane, real4 x) {
     return dot(to_real4(plane->normal), x - to_real4(plane->point));
 }
 
+/// Lower bound of the gaps of the points in a box; NaN where the box is not finite.
+double plane_box_gap(const Plane* plane, const Extent* x);
+
 /// Whether any of the particles in the box x and as fast as v may come to the plane in a drift of
 /// length h, or is behind it.
 bool plane_within(const Plane* plane, const Extent* x, const Extent* v, double h);

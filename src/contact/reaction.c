@@ -15,9 +15,7 @@ void reaction_begin(Contacts* contacts) {
         contacts->sphere[s].impulse -= contacts->sphere[s].mass * contacts->sphere[s].v;
 }
 
-void reaction_end(Contacts* contacts) {
-    for (int s = 0; s < contacts->sphere_count; s++)
-        contacts->sphere[s].impulse += contacts->sphere[s].mass * contacts->sphere[s].v;
+void reaction_add_planes(Contacts* contacts) {
     for (int k = 0; k < contacts->contact_count; k++) {
         const Contact* c = &contacts->contact[k];
         if (c->side[1] != NONE)
@@ -27,6 +25,12 @@ void reaction_end(Contacts* contacts) {
         *reaction_on(contacts, skin, c->feature % contacts->plane_count) +=
             (double)c->normal_impulse;
     }
+}
+
+void reaction_end(Contacts* contacts) {
+    for (int s = 0; s < contacts->sphere_count; s++)
+        contacts->sphere[s].impulse += contacts->sphere[s].mass * contacts->sphere[s].v;
+    reaction_add_planes(contacts);
 }
 
 double reaction_of_plane(const Contacts* contacts, int plane) {

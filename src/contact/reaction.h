@@ -20,6 +20,9 @@ void reaction_clear(Contacts* contacts);
 void reaction_begin(Contacts* contacts);
 void reaction_end(Contacts* contacts);
 
+/// Count what the contacts of the list give to planes.
+void reaction_add_planes(Contacts* contacts);
+
 /// Normal impulse on a plane in this step [N s].
 double reaction_of_plane(const Contacts* contacts, int plane);
 

@@ -6,6 +6,7 @@
 #include "base/interrupt.h"
 #include "base/memory.h"
 #include "force/damping.h"
+#include "solve/group_vector.h"
 
 enum {
     PRODUCTS_MAX = 2000, ///< of one solve
@@ -41,8 +42,11 @@ void linear_solve_begin(LinearSolve* linear, const Body* body) {
             linear->has_held = true;
 }
 
-/// With `project`, K's blocks are replaced by their positive parts.
-static double update(LinearSolve* linear, Body* body, double h, bool project) {
+/// A of one body without contacts; with `project`, K's blocks are replaced by their positive parts.
+/// Returns the square of the rounding error's part.
+static double assemble(const GroupBody* part, double h, bool project) {
+    LinearSolve* linear = part->linear;
+    Body* body = part->body;
     tangent_update(&linear->tangent, body, h * h, project);
     double noise = 0;
     for (int i = 0; i < body->count; i++) {
@@ -55,17 +59,43 @@ static double update(LinearSolve* linear, Body* body, double h, bool project) {
         }
         noise += (double)(body->mass[i] * dot(body->v[i], body->v[i]));
     }
+    return noise;
+}
+
+static void update_levels(const GroupBody* part, double h, bool project) {
+    LinearSolve* linear = part->linear;
     const bool rebuild = project || linear->levels_h != h;
-    multigrid_update(&linear->levels, body->x, rebuild);
+    multigrid_update(&linear->levels, part->body->x, rebuild);
     if (rebuild)
         linear->first_products = linear->levels_age = 0;
     linear->levels_age++;
     linear->levels_h = linear->levels_age < LEVELS_AGE_MAX ? h : 0;
+}
+
+/// Contacts join the finest level only. There a term of one node keeps the smoother convergent; on
+/// coarser levels it would couple more rows than the relaxation factor allows, and the levels would
+/// have to follow each contact that opens or closes.
+static void add_contacts(Group* group) {
+    if (!(group->term[0].stiffness > 0))
+        contact_terms_begin(group);
+    contact_terms_assemble(group);
+    for (int k = 0; k < group->body_count; k++)
+        multigrid_update(&group->body[k].linear->levels, group->body[k].body->x, false);
+}
+
+static double update(Group* group, double h, bool project) {
+    double noise = 0;
+    for (int k = 0; k < group->body_count; k++) {
+        noise += assemble(&group->body[k], h, project);
+        update_levels(&group->body[k], h, project);
+    }
+    if (group->term_count > 0)
+        add_contacts(group);
     return (double)REAL_EPSILON / 2 * sqrt(noise);
 }
 
-double linear_solve_update(LinearSolve* linear, Body* body, double h) {
-    return update(linear, body, h, false);
+double linear_solve_update(Group* group, double h) {
+    return update(group, h, false);
 }
 
 /// Held particles neither move nor feel forces.
@@ -76,67 +106,74 @@ static void zero_held(const LinearSolve* linear, const Body* body, real4* a) {
 }
 
 /// A p
-static void multiply(LinearSolve* linear, const Body* body, double h) {
-    multigrid_multiply(&linear->levels, linear->direction, linear->image);
-    tangent_add_dense(body, h * h, linear->direction, linear->image);
-    zero_held(linear, body, linear->image);
+static void multiply(Group* group, double h) {
+    for (int k = 0; k < group->body_count; k++) {
+        const GroupBody* part = &group->body[k];
+        LinearSolve* linear = part->linear;
+        multigrid_multiply(&linear->levels, linear->direction, linear->image);
+        tangent_add_dense(part->body, h * h, linear->direction, linear->image);
+        zero_held(linear, part->body, linear->image);
+    }
+    contact_terms_multiply(group);
 }
 
 /// z; returns r . z, the squared residual in the preconditioner's norm.
-static double precondition(LinearSolve* linear, const Body* body) {
-    const double squared =
-        multigrid_apply(&linear->levels, linear->residual, linear->preconditioned);
-    zero_held(linear, body, linear->preconditioned); // r is zero there
-    return squared;
+static double precondition(Group* group) {
+    double squared = 0;
+    for (int k = 0; k < group->body_count; k++) {
+        LinearSolve* linear = group->body[k].linear;
+        squared += multigrid_apply(&linear->levels, linear->residual, linear->preconditioned);
+        zero_held(linear, group->body[k].body, linear->preconditioned); // r is zero there
+    }
+    return squared + contact_terms_precondition(group);
 }
 
 /// False where A is not positive along a search direction.
-static bool conjugate_gradients(LinearSolve* linear, const Body* body, double h, double tolerance,
-                                const real4* R, real4* dv, int* products) {
-    const int n = body->count;
-    for (int i = 0; i < n; i++)
-        linear->residual[i] = -R[i];
-    memset(dv, 0, (size_t)n * sizeof *dv);
+static bool conjugate_gradients(Group* group, double h, double tolerance, int* products) {
+    group_set(group, GROUP_REMAINDER, -1, GROUP_RESIDUAL);
+    group_clear(group, GROUP_CHANGE);
 
-    const double norm_max = residual_share_max * inverse_mass_norm(body, R);
-    double squared = precondition(linear, body);
+    const double norm_max = residual_share_max * group_inverse_mass_norm(group, GROUP_RESIDUAL);
+    double squared = precondition(group);
     const double squared_max = squared * tolerance * tolerance;
-    memcpy(linear->direction, linear->preconditioned, (size_t)n * sizeof *linear->direction);
+    group_set(group, GROUP_DIRECTION, 1, GROUP_PRECONDITIONED);
     for (int k = 0; k < PRODUCTS_MAX && !interrupt_signal(); k++) {
-        if (squared <= squared_max && inverse_mass_norm(body, linear->residual) <= norm_max)
+        if (squared <= squared_max && group_inverse_mass_norm(group, GROUP_REMAINDER) <= norm_max)
             break;
-        multiply(linear, body, h);
+        multiply(group, h);
         ++*products;
-        const double curvature = vectors()->dot(linear->direction, linear->image, n);
+        const double curvature = group_dot(group, GROUP_DIRECTION, GROUP_IMAGE);
         if (!(curvature > 0))
             return false;
-        const real step = (real)(squared / curvature);
-        vectors()->add(dv, step, linear->direction, n);
-        vectors()->add(linear->residual, -step, linear->image, n);
+        const double step = squared / curvature;
+        group_add(group, GROUP_CHANGE, step, GROUP_DIRECTION);
+        group_add(group, GROUP_REMAINDER, -step, GROUP_IMAGE);
         const double previous = squared;
-        squared = precondition(linear, body);
+        squared = precondition(group);
         if (!(squared >= 0))
             return false;
-        vectors()->scale_add(linear->direction, (real)(squared / previous), linear->preconditioned,
-                             n);
+        group_scale_add(group, GROUP_DIRECTION, squared / previous, GROUP_PRECONDITIONED);
     }
     return true;
 }
 
-void linear_solve_run(LinearSolve* linear, Body* body, double h, double tolerance, const real4* R,
-                      real4* dv, int* products) {
+void linear_solve_run(Group* group, double h, double tolerance, int* products) {
     const int before = *products;
-    if (!conjugate_gradients(linear, body, h, tolerance, R, dv, products)) {
-        update(linear, body, h, true);
-        conjugate_gradients(linear, body, h, tolerance, R, dv, products);
-        linear->levels_h = 0;
+    if (!conjugate_gradients(group, h, tolerance, products)) {
+        update(group, h, true);
+        conjugate_gradients(group, h, tolerance, products);
+        for (int k = 0; k < group->body_count; k++)
+            group->body[k].linear->levels_h = 0;
         return;
     }
     const int used = *products - before;
-    if (linear->first_products == 0)
-        linear->first_products = used;
-    else if (used > products_growth * linear->first_products + products_margin)
-        linear->levels_h = 0;
+    for (int k = 0; k < group->body_count; k++) {
+        LinearSolve* linear = group->body[k].linear;
+        if (linear->first_products == 0)
+            linear->first_products = used;
+        else if (used > products_growth * linear->first_products + products_margin)
+            linear->levels_h = 0;
+    }
 }
 
 void linear_solve_close(LinearSolve* linear) {

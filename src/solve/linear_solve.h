@@ -9,8 +9,8 @@
 #ifndef BALLOON_SOLVE_LINEAR_SOLVE_H
 #define BALLOON_SOLVE_LINEAR_SOLVE_H
 
-#include "base/vectors.h"
 #include "force/tangent.h"
+#include "solve/group.h"
 #include "solve/multigrid/multigrid.h"
 
 typedef struct LinearSolve {
@@ -31,21 +31,15 @@ void linear_solve_open(LinearSolve* linear, Body* body);
 /// Before a step: note whether some particles are held.
 void linear_solve_begin(LinearSolve* linear, const Body* body);
 
-/// Compute A at the present positions. Returns an estimate of the rounding error of R, as
-/// |R|_(1/M): positions and velocities are exact to half of their last bit, and K makes forces of
-/// the positions' error. Converged iterations reach 1/2 to 3/4 of it, in both precisions.
-double linear_solve_update(LinearSolve* linear, Body* body, double h);
+/// Compute A of a group at the present positions and velocities. Returns an estimate of the rounding
+/// error of R, as |R|_(1/M): positions and velocities are exact to half of their last bit, and K makes
+/// forces of the positions' error. Converged iterations reach 1/2 to 3/4 of it, in both precisions.
+double linear_solve_update(Group* group, double h);
 
 /// Solve A dv = -R to a residual of `tolerance` [1], in the preconditioner's norm. Where A is not
 /// positive, K is replaced by its positive part, whose solution is a descent direction too. Adds
 /// the number of products to *products.
-void linear_solve_run(LinearSolve* linear, Body* body, double h, double tolerance, const real4* R,
-                      real4* dv, int* products);
-
-/// |r|_(1/M)
-static inline double inverse_mass_norm(const Body* body, const real4* r) {
-    return sqrt(vectors()->weighted_squares(body->inverse_mass, r, body->count));
-}
+void linear_solve_run(Group* group, double h, double tolerance, int* products);
 
 void linear_solve_close(LinearSolve* linear);
 

@@ -2,7 +2,7 @@
 ///
 /// A step is a kick and a drift, the two halves of a step of molecular dynamics:
 ///
-///     kick    v' = v + h f/m, f by the method, then strain limits and contacts
+///     kick    v' = v + h f/m, f by the method, then strain limits and contacts (or contacts in f)
 ///     drift   x' = x + h v'
 ///
 /// `forward` and `euler` evaluate f at the start of the step, the others at its end. `forward`,
@@ -72,6 +72,10 @@ typedef struct Method {
 
     /// Velocities of one body under its forces alone, for system_kick. False: not solved.
     bool (*kick_body)(Body* body, void* workspace, double h, SolveStats* stats);
+
+    /// The same for a group whose equation contains its contacts, for the bodies' and the balls'
+    /// velocities and the contacts' impulses. NULL: contacts change the velocities after the kick.
+    bool (*kick_group)(Group* group, double h);
 
     /// Positions after h; `forward` also changes the velocities here. The others use body_drift.
     void (*drift)(Body* body, double h);

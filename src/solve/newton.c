@@ -8,14 +8,17 @@
 ///
 ///     P(v') = |v' - v|^2_M / 2 + h |v'|^2_D / 2 + E(x + h v')
 ///
-/// does. Order 1; damps the modes that the step does not resolve; never unstable. Linear momentum
+/// does. Contacts are terms of the same equation, with all bodies and balls that they couple
+/// (solve/contact_terms.h, solve/group.h). Order 1; damps the modes that the step does not resolve; never unstable. Linear momentum
 /// is conserved to the tolerance, angular momentum only to the method's order.
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/interrupt.h"
 #include "base/memory.h"
+#include "base/vectors.h"
 #include "force/damping.h"
+#include "solve/group_vector.h"
 #include "solve/linear_solve.h"
 #include "solve/method.h"
 #include "solve/residual.h"
@@ -27,6 +30,14 @@ enum { HALVINGS_MAX = 40 };
 /// Longest way of a particle in one iteration: the tangent holds only near the present positions.
 /// [of the body's size]
 static const double way_max = 0.1;
+
+/// Contacts' multipliers are updated where Newton's iterations have made the residual this much less
+/// than the last update left; after every iteration they would run ahead of the velocities. [1]
+static const double update_share = 0.1;
+
+/// |R| for updated multipliers at which contacts are solved; contacts_finish solves what remains of
+/// an overlap. [of the residual's scale]
+static const double contact_tolerance = 3e-4;
 
 typedef struct Workspace {
     Solver solver;
@@ -70,132 +81,240 @@ static void close(void* self) {
 }
 
 /// v' += part dv, x' = x + h v'.
-static void move(Body* body, const Workspace* workspace, double part, double h) {
-    for (int i = 0; i < body->count; i++) {
-        body->v[i] += (real)part * workspace->change[i];
-        body->x[i] = workspace->x_start[i] + (real)h * body->v[i];
+static void move(Group* group, double part, double h) {
+    for (int k = 0; k < group->body_count; k++) {
+        Body* body = group->body[k].body;
+        const Workspace* workspace = group->body[k].workspace;
+        for (int i = 0; i < body->count; i++) {
+            body->v[i] += (real)part * workspace->change[i];
+            body->x[i] = workspace->x_start[i] + (real)h * body->v[i];
+        }
+    }
+    for (int s = 0; s < group->ball_count; s++) {
+        const GroupBall* ball = &group->ball[s];
+        ball->sphere->v += (real)part * ball->vector[GROUP_CHANGE][0];
+        ball->sphere->spin += (real)part * ball->vector[GROUP_CHANGE][1];
     }
 }
 
 /// Compute R at v' and x'; returns |R|_(1/M).
-static double evaluate_residual(Body* body, Workspace* workspace, double h) {
-    force_sum(body);
-    for (int i = 0; i < body->count; i++)
-        workspace->residual[i] =
-            body->inverse_mass[i] > 0
-                ? body->mass[i] * (body->v[i] - workspace->v_start[i]) - (real)h * body->f[i]
-                : (real4){0, 0, 0, 0};
-    return inverse_mass_norm(body, workspace->residual);
+static double evaluate_residual(Group* group, double h) {
+    for (int k = 0; k < group->body_count; k++) {
+        Body* body = group->body[k].body;
+        const Workspace* workspace = group->body[k].workspace;
+        force_sum(body);
+        for (int i = 0; i < body->count; i++)
+            workspace->residual[i] =
+                body->inverse_mass[i] > 0
+                    ? body->mass[i] * (body->v[i] - workspace->v_start[i]) - (real)h * body->f[i]
+                    : (real4){0, 0, 0, 0};
+    }
+    for (int s = 0; s < group->ball_count; s++) {
+        GroupBall* ball = &group->ball[s];
+        const Sphere* sphere = ball->sphere;
+        ball->vector[GROUP_RESIDUAL][0] = sphere->mass * (sphere->v - ball->v_start);
+        ball->vector[GROUP_RESIDUAL][1] =
+            sphere_inertia(sphere) * (sphere->spin - ball->spin_start);
+    }
+    contact_terms_add_impulses(group);
+    return group_inverse_mass_norm(group, GROUP_RESIDUAL);
 }
 
 /// P at v' and x'.
-static double potential(const Body* body, const Workspace* workspace, double h) {
-    double sum = 0;
-    for (int i = 0; i < body->count; i++) {
-        const double4 v = to_double4(body->v[i]), dv = v - to_double4(workspace->v_start[i]);
-        sum += (double)body->mass[i] * ddot(dv, dv) + h * damping_drag(body, i) * ddot(v, v);
+static double potential(const Group* group, double h) {
+    double all = 0;
+    for (int b = 0; b < group->body_count; b++) {
+        const Body* body = group->body[b].body;
+        const Workspace* workspace = group->body[b].workspace;
+        double sum = 0;
+        for (int i = 0; i < body->count; i++) {
+            const double4 v = to_double4(body->v[i]), dv = v - to_double4(workspace->v_start[i]);
+            sum += (double)body->mass[i] * ddot(dv, dv) + h * damping_drag(body, i) * ddot(v, v);
+        }
+        sum /= 2;
+        for (int k = 0; k < force_count; k++)
+            if (force_table[k]->energy && force_table[k]->present(body))
+                sum += force_table[k]->energy(body);
+        all += sum;
     }
-    sum /= 2;
-    for (int k = 0; k < force_count; k++)
-        if (force_table[k]->energy && force_table[k]->present(body))
-            sum += force_table[k]->energy(body);
-    return sum;
+    return all + contact_terms_potential(group);
 }
 
-/// Whether the volume of a gas was positive when the forces were last summed.
-static bool has_volume(const Body* body) {
-    return body->inflation.law != INFLATE_GAS || body->inflation.volume > 0;
+/// Whether the volumes of all gases were positive when the forces were last summed.
+static bool has_volume(const Group* group) {
+    for (int k = 0; k < group->body_count; k++) {
+        const Inflation* gas = &group->body[k].body->inflation;
+        if (gas->law == INFLATE_GAS && !(gas->volume > 0))
+            return false;
+    }
+    return true;
 }
 
 /// The largest part of dv that moves no particle by more than way_max.
-static double first_part(const Body* body, const Workspace* workspace, double h) {
-    const double longest2 = (double)vectors()->max_squared(workspace->change, body->count);
-    return fmin(1, way_max * body->size / (h * sqrt(longest2)));
+static double first_part(const Group* group, double h) {
+    double part = 1;
+    for (int k = 0; k < group->body_count; k++) {
+        const Body* body = group->body[k].body;
+        const Workspace* workspace = group->body[k].workspace;
+        const double longest2 = (double)vectors()->max_squared(workspace->change, body->count);
+        part = fmin(part, way_max * body->size / (h * sqrt(longest2)));
+    }
+    return part;
 }
 
 /// Line search: move by dv, or by the first half, quarter ... of it that decreases |R|, leaves it
-/// within `rounding`, or decreases P. Returns the new |R|, or less than 0 where no part does.
-static double search_line(Body* body, Workspace* workspace, double before, double rounding,
-                          double h) {
-    double potential_before = NAN, moved = 0, part = first_part(body, workspace, h);
+/// within `rounding`, or decreases P. Contacts that open or close increase |R| on the way to less P:
+/// with contacts the whole of dv is judged by P, too. Returns the new |R|, or less than 0 where no
+/// part does.
+static double search_line(Group* group, double before, double rounding, double h) {
+    const int first_judged = group->term_count > 0 ? 0 : 1; // P, which few searches need otherwise
+    double potential_before = NAN, moved = 0, part = first_part(group, h);
     for (int halving = 0; halving < HALVINGS_MAX; halving++, part /= 2) {
-        if (halving == 1) { // P at the start of the search, which few searches need
-            move(body, workspace, -moved, h);
-            potential_before = potential(body, workspace, h);
+        if (halving == first_judged) { // P at the start of the search
+            move(group, -moved, h);
+            contact_terms_evaluate(group);
+            potential_before = potential(group, h);
             moved = 0;
         }
-        move(body, workspace, part - moved, h);
+        move(group, part - moved, h);
         moved = part;
-        const double after = evaluate_residual(body, workspace, h);
-        if (!has_volume(body))
+        const double after = evaluate_residual(group, h);
+        if (!has_volume(group))
             continue;
         if (after <= fmax(before, rounding) ||
-            (halving > 0 && potential(body, workspace, h) < potential_before))
+            (halving >= first_judged && potential(group, h) < potential_before))
             return after;
     }
     return -1;
 }
 
-static void restore_start(Body* body, const Workspace* workspace) {
-    memcpy(body->x, workspace->x_start, (size_t)body->count * sizeof *body->x);
-    memcpy(body->v, workspace->v_start, (size_t)body->count * sizeof *body->v);
+static void restore_positions(const Group* group) {
+    for (int k = 0; k < group->body_count; k++) {
+        Body* body = group->body[k].body;
+        const Workspace* workspace = group->body[k].workspace;
+        memcpy(body->x, workspace->x_start, (size_t)body->count * sizeof *body->x);
+    }
+}
+
+static void restore_velocities(const Group* group) {
+    for (int k = 0; k < group->body_count; k++) {
+        Body* body = group->body[k].body;
+        const Workspace* workspace = group->body[k].workspace;
+        memcpy(body->v, workspace->v_start, (size_t)body->count * sizeof *body->v);
+    }
+}
+
+/// The bodies' scales together (solve/residual.h).
+static double group_scale(const Group* group, double h) {
+    double scale = residual_scale(group->body[0].body, h);
+    for (int k = 1; k < group->body_count; k++) {
+        const double more = residual_scale(group->body[k].body, h);
+        scale = sqrt(scale * scale + more * more);
+    }
+    return scale;
+}
+
+/// Update the contacts' multipliers L if |R| is small enough. Returns |R| for the new L: it measures
+/// how far the contacts are from what they demand. *solved: R and the contacts are within tolerance.
+static double update_contacts(Group* group, double size, double* size_updated, double size_max,
+                              double contact_max, bool* solved) {
+    if (!(size <= size_max || size <= update_share * *size_updated))
+        return size;
+    contact_terms_update_multipliers(group);
+    *size_updated = group_inverse_mass_norm(group, GROUP_RESIDUAL);
+    *solved = size <= size_max && *size_updated <= fmax(size_max, contact_max);
+    return *solved ? size : *size_updated;
 }
 
 /// Newton's iterations from a residual of norm `size`. False: the equation is not solved.
-static bool iterate(Body* body, Workspace* workspace, double size, double h, SolveStats* stats) {
-    const Solver* solver = &workspace->solver;
-    const bool fixed_count = solver->tolerance < 0;
+static bool iterate(Group* group, const Solver* solver, double size, double h, SolveStats* stats) {
+    const bool fixed_count = solver->tolerance<0, touches = group->term_count> 0;
     if (!(size < INFINITY)) // a NaN solves nothing
         return false;
-    const double scale = fmax(size, residual_scale(body, h));
-    double size_max = fixed_count ? -1 : solver->tolerance * scale;
-    while (stats->iterations < solver->iterations && size > size_max && !interrupt_signal()) {
-        const double rounding = linear_solve_update(&workspace->linear, body, h);
+    const double scale = fmax(size, group_scale(group, h));
+    double size_max = fixed_count ? -1 : solver->tolerance * scale, size_updated = 0;
+    bool solved = !touches && size <= size_max; // with contacts, k must be known first
+    while (stats->iterations < solver->iterations && !solved && !interrupt_signal()) {
+        const double rounding = linear_solve_update(group, h);
         if (!(rounding < INFINITY)) // beyond the state's precision everything would be solved
             return false;
         if (!fixed_count)
             size_max = fmax(size_max, rounding);
-        if (size <= size_max)
+        if (touches && stats->iterations == 0)
+            size = size_updated = group_inverse_mass_norm(group, GROUP_RESIDUAL);
+        solved = size <= size_max;
+        if (solved)
             break;
-        linear_solve_run(&workspace->linear, body, h, solver->linear_tolerance, workspace->residual,
-                         workspace->change, &stats->products);
-        size = search_line(body, workspace, size, rounding, h);
+        linear_solve_run(group, h, solver->linear_tolerance, &stats->products);
+        size = search_line(group, size, rounding, h);
         stats->iterations++;
         if (!(size >= 0))
             return false;
+        if (touches)
+            size = update_contacts(group, size, &size_updated, size_max, contact_tolerance * scale,
+                                   &solved);
+        else
+            solved = size <= size_max;
     }
     stats->residual = scale > 0 ? size / scale : 0;
-    return (fixed_count && size < INFINITY) || size <= size_max;
+    return (fixed_count && size < INFINITY) || solved;
 }
 
-static void stop(Body* body) {
-    memset(body->v, 0, (size_t)body->count * sizeof *body->v);
+static void stop(const Group* group) {
+    for (int k = 0; k < group->body_count; k++) {
+        Body* body = group->body[k].body;
+        memset(body->v, 0, (size_t)body->count * sizeof *body->v);
+    }
 }
 
-static bool kick_body(Body* body, void* self, double h, SolveStats* stats) {
-    Workspace* workspace = self;
-    linear_solve_begin(&workspace->linear, body);
-    *stats = (SolveStats){0};
-    memcpy(workspace->x_start, body->x, (size_t)body->count * sizeof *workspace->x_start);
-    memset(workspace->change, 0, (size_t)body->count * sizeof *workspace->change);
-    if (workspace->solver.start == START_REST)
-        stop(body);
-    memcpy(workspace->v_start, body->v, (size_t)body->count * sizeof *workspace->v_start);
-    move(body, workspace, 0, h);
-    double size = evaluate_residual(body, workspace, h);
-    if (!has_volume(body)) { // free motion would turn it inside out: start from x instead
-        stop(body);
-        move(body, workspace, 0, h);
-        size = evaluate_residual(body, workspace, h);
+/// The start of the step, and where the vectors of the equation are.
+static void begin(Group* group) {
+    for (int k = 0; k < group->body_count; k++) {
+        GroupBody* part = &group->body[k];
+        Workspace* workspace = part->workspace;
+        Body* body = part->body;
+        const size_t bytes = (size_t)body->count * sizeof *body->x;
+        linear_solve_begin(&workspace->linear, body);
+        part->linear = &workspace->linear;
+        part->matrix = &workspace->linear.tangent.matrix;
+        part->vector[GROUP_RESIDUAL] = workspace->residual;
+        part->vector[GROUP_CHANGE] = workspace->change;
+        part->vector[GROUP_REMAINDER] = workspace->linear.residual;
+        part->vector[GROUP_PRECONDITIONED] = workspace->linear.preconditioned;
+        part->vector[GROUP_DIRECTION] = workspace->linear.direction;
+        part->vector[GROUP_IMAGE] = workspace->linear.image;
+        memcpy(workspace->x_start, body->x, bytes);
+        if (workspace->solver.start == START_REST)
+            memset(body->v, 0, bytes);
+        memcpy(workspace->v_start, body->v, bytes);
+    }
+    group_clear(group, GROUP_CHANGE);
+}
+
+static bool kick_group(Group* group, double h) {
+    SolveStats stats = {0};
+    begin(group);
+    move(group, 0, h);
+    double size = evaluate_residual(group, h);
+    if (!has_volume(group)) { // free motion would turn it inside out: start from x instead
+        stop(group);
+        move(group, 0, h);
+        size = evaluate_residual(group, h);
     }
 
-    const bool solved = iterate(body, workspace, size, h, stats);
+    const Workspace* first = group->body[0].workspace; // all have the scene's solver
+    const bool solved = iterate(group, &first->solver, size, h, &stats);
+    restore_positions(group); // the drift is to come
     if (!solved)
-        restore_start(body, workspace);
-    else
-        memcpy(body->x, workspace->x_start,
-               (size_t)body->count * sizeof *body->x); // the drift is to come
+        restore_velocities(group);
+    for (int k = 0; k < group->body_count; k++)
+        *group->body[k].stats = stats;
     return solved;
+}
+
+static bool kick_body(Body* body, void* workspace, double h, SolveStats* stats) {
+    GroupBody part = {.body = body, .workspace = workspace, .stats = stats};
+    return kick_group(&(Group){.body = &part, .body_count = 1}, h);
 }
 
 const Method method_newton = {
@@ -209,5 +328,6 @@ const Method method_newton = {
     .close = close,
     .kick = system_kick,
     .kick_body = kick_body,
+    .kick_group = kick_group,
     .drift = body_drift,
 };

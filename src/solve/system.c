@@ -7,6 +7,10 @@
 #include "base/memory.h"
 #include "solve/method.h"
 
+/// An equation that is not solved for so many lengths of the step, each half the last, is solved
+/// without its contacts, which then change the velocities after the kick.
+enum { UNSOLVED_MAX = 1 };
+
 void system_open(System* system, int body_count) {
     *system = (System){
         .body_count = body_count,
@@ -18,14 +22,19 @@ void system_open(System* system, int body_count) {
         .solved = new_array(bool, body_count),
         .unsolved = NONE,
     };
+    groups_open(&system->groups, body_count);
+}
+
+static void for_each(void (*task)(void* self, int number), void* self, int count) {
+    if (count >= 2 * crew_threads())
+        crew_run(task, self, count);
+    else
+        for (int k = 0; k < count; k++)
+            task(self, k);
 }
 
 void system_for_each(const System* system, void (*task)(void* self, int body), void* self) {
-    if (system->body_count >= 2 * crew_threads())
-        crew_run(task, self, system->body_count);
-    else
-        for (int b = 0; b < system->body_count; b++)
-            task(self, b);
+    for_each(task, self, system->body_count);
 }
 
 /// What the tasks of a kick share.
@@ -36,6 +45,13 @@ typedef struct Kick {
     bool keep_start; ///< the velocities before are needed
 } Kick;
 
+static void keep_start(const Kick* kick, int b) {
+    System* system = kick->system;
+    const Body* body = system->body[b];
+    if (kick->keep_start)
+        memcpy(system->v_start[b], body->v, (size_t)body->count * sizeof *body->v);
+}
+
 static void kick_body(void* self, int b) {
     const Kick* kick = self;
     System* system = kick->system;
@@ -43,10 +59,31 @@ static void kick_body(void* self, int b) {
     system->solved[b] = true;
     if (body->asleep)
         return;
-    if (kick->keep_start)
-        memcpy(system->v_start[b], body->v, (size_t)body->count * sizeof *body->v);
+    keep_start(kick, b);
     system->solved[b] =
         kick->method->kick_body(body, system->workspace[b], kick->h, system->stats[b]);
+}
+
+static void kick_group(void* self, int g) {
+    const Kick* kick = self;
+    Group* group = &kick->system->groups.group[g];
+    for (int k = 0; k < group->body_count; k++)
+        keep_start(kick, group->body[k].number);
+    if (kick->system->unsolved_in_row > UNSOLVED_MAX)
+        group_forget_contacts(group);
+    const bool solved = kick->method->kick_group(group, kick->h);
+    for (int k = 0; k < group->body_count; k++)
+        kick->system->solved[group->body[k].number] = solved;
+}
+
+/// The kicks of all groups, each of which contains its contacts.
+static void kick_groups(Kick* kick, Contacts* contacts) {
+    System* system = kick->system;
+    contacts_begin(contacts, kick->h);
+    groups_find(&system->groups, system, contacts);
+    for (int b = 0; b < system->body_count; b++)
+        system->solved[b] = true;
+    for_each(kick_group, kick, system->groups.count);
 }
 
 static void limit_strain(void* self, int b) {
@@ -68,7 +105,11 @@ bool system_kick(const Method* method, System* system, Contacts* contacts, doubl
                  double* drift) {
     // velocities before: for a step that cannot be solved, and for contacts
     Kick kick = {method, system, h, method->can_fail || contacts->sphere_count > 0};
-    system_for_each(system, kick_body, &kick);
+    const bool in_groups = method->kick_group != NULL;
+    if (in_groups)
+        kick_groups(&kick, contacts);
+    else
+        system_for_each(system, kick_body, &kick);
 
     system->unsolved = NONE;
     for (int b = system->body_count - 1; b >= 0; b--)
@@ -76,11 +117,15 @@ bool system_kick(const Method* method, System* system, Contacts* contacts, doubl
             system->unsolved = b;
     if (system->unsolved != NONE) {
         restore_velocities(system);
+        system->unsolved_in_row++;
+        if (in_groups)
+            contacts_undo(contacts);
         return false;
     }
 
+    system->unsolved_in_row = 0;
     system_for_each(system, limit_strain, &kick);
-    *drift = contacts_velocities(contacts, h);
+    *drift = in_groups ? contacts_finish(contacts, h) : contacts_velocities(contacts, h);
     return true;
 }
 
@@ -91,5 +136,6 @@ void system_close(System* system) {
     free(system->stats);
     free(system->v_start);
     free(system->solved);
+    groups_close(&system->groups);
     *system = (System){0};
 }

@@ -8,6 +8,7 @@
 
 #include "constraint/strain_limit.h"
 #include "contact/contacts.h"
+#include "solve/group.h"
 
 /// Cost and result of the last solve.
 typedef struct SolveStats {
@@ -27,6 +28,8 @@ typedef struct System {
     real4** v_start;            ///< [body_count][count] velocities before the last kick [m/s]
     bool* solved;               ///< [body_count] by the last kick
     int unsolved;               ///< first body whose step the last kick did not solve, or NONE
+    int unsolved_in_row;        ///< kicks since the last that was solved
+    Groups groups;              ///< of a method whose equation contains the contacts
 } System;
 
 /// For body_count bodies, whose pointers the caller fills in.
@@ -38,8 +41,8 @@ void system_for_each(const System* system, void (*task)(void* self, int body), v
 
 struct Method;
 
-/// Kick each body by itself with method->kick_body, limit strains, then apply contacts. See
-/// Method.kick.
+/// Kick each body by itself with method->kick_body, limit strains, then apply contacts; or each group
+/// with method->kick_group, limit strains, then apply what contacts are left. See Method.kick.
 bool system_kick(const struct Method* method, System* system, Contacts* contacts, double h,
                  double* drift);
 
