@@ -2,6 +2,16 @@
 
 #include "base/array.h"
 #include "contact/ball_triangle.h"
+#include "contact/shared_feature.h"
+
+void broad_phase_open(ContactSkin* skin) {
+    if (skin->patches)
+        return;
+    const Mesh* mesh = skin->body->mesh;
+    skin->owners = shared_feature_owners(mesh);
+    skin->patches = bullet_skin_open((const int(*)[3])mesh->triangle, mesh->triangle_count,
+                                     skin->body->x, mesh->point_count);
+}
 
 double broad_phase_max_speed(const Body* body) {
     if (body->asleep)
@@ -15,7 +25,7 @@ double broad_phase_max_speed(const Body* body) {
 void broad_phase_refit(ContactSkin* skin) {
     if (skin->path_max == 0)
         return;
-    bullet_skin_refit(skin->patches);
+    bullet_skin_refit(skin->patches, 0);
     bullet_skin_box(skin->patches, skin->low, skin->high);
     skin->path_max = 0;
 }

@@ -6,6 +6,9 @@
 
 #include "contact/contacts.h"
 
+/// The patches and the owners of shared features, once something may touch the skin.
+void broad_phase_open(ContactSkin* skin);
+
 /// Speed of a skin's fastest particle [m/s].
 double broad_phase_max_speed(const Body* body);
 

@@ -32,8 +32,9 @@ BulletSkin* bullet_skin_open(const int (*triangle)[3], int triangle_count, const
                              int point_count);
 void bullet_skin_close(BulletSkin* skin);
 
-/// Boxes of the patches to where the skin is now.
-void bullet_skin_refit(BulletSkin* skin);
+/// Boxes of the patches to where the skin is now; in the tree they are larger by `margin` on each
+/// side [m].
+void bullet_skin_refit(BulletSkin* skin, double margin);
 
 /// The box of the whole skin at the last refit.
 void bullet_skin_box(const BulletSkin* skin, double low[3], double high[3]);
@@ -42,6 +43,13 @@ void bullet_skin_box(const BulletSkin* skin, double low[3], double high[3]);
 /// most `capacity` are stored in `triangle`. Returns how many there are, which may be more.
 int bullet_skin_near(BulletSkin* skin, const double center[3], double reach, int* triangle,
                      int capacity);
+
+/// All pairs of triangles of two skins within `reach` of each other, and some whose boxes are; of a
+/// skin and itself each pair once, neighbours too. Both must have been refit where they are now, with
+/// margins that sum to at least 1.01 times the reach. *pair: valid until the next search of the first
+/// skin, in an order that depends on the skins alone. Returns how many there are.
+int bullet_skin_near_triangles(BulletSkin* skin, const BulletSkin* other, double reach,
+                               const int (**pair)[2]);
 
 #ifdef __cplusplus
 }

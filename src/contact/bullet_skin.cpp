@@ -24,6 +24,35 @@ real4 higher(real4 a, real4 b) {
     return a > b ? a : b;
 }
 
+Box larger(const Box& box, real margin) {
+    const real4 around = {margin, margin, margin, 0};
+    return {box.low - around, box.high + around};
+}
+
+/// Whether two boxes are within reach of each other along each axis.
+bool meet(const Box& a, const Box& b, real reach) {
+    const real4 gap = higher(a.low - b.high, b.low - a.high);
+    return gap[0] <= reach && gap[1] <= reach && gap[2] <= reach;
+}
+
+/// The pairs of leaves that a search meets.
+struct LeafPairs : btDbvt::ICollide {
+    explicit LeafPairs(std::vector<std::pair<int, int>>* pair_) : pair(pair_) {
+    }
+
+    void Process(const btDbvtNode* a, const btDbvtNode* b) {
+        pair->emplace_back(a->dataAsInt, b->dataAsInt);
+    }
+
+  private:
+    std::vector<std::pair<int, int>>* pair;
+};
+
+/// A reach that misses nothing by rounding.
+real rounded_reach(double reach, double far) {
+    return (real)(reach * (1 + SLACK) + 4 * REAL_EPSILON * (far + reach));
+}
+
 /// Whether some of a box is within reach of a point.
 bool within(const Box& box, real4 point, real reach) {
     const real4 nothing = {0, 0, 0, 0};
@@ -74,8 +103,9 @@ std::uint64_t morton(real4 point, const Box& box) {
 struct BulletSkin {
     BulletSkin(const int (*triangle)[3], int triangle_count, const real4* x, int point_count);
 
-    void refit();
+    void refit(real margin);
     const std::vector<int>& near(real4 center, real reach);
+    const std::vector<int>& near_triangles(const BulletSkin& other, real reach);
 
     Box whole = NOTHING;
 
@@ -90,13 +120,17 @@ struct BulletSkin {
     std::vector<int> particle;      ///< of each patch, each once
     std::vector<int> particle_from; ///< [patches + 1]
     std::vector<Box> patch_box;
-    btDbvt tree;            ///< over the patches; a leaf's data is its patch's number
-    std::vector<int> hit;   ///< patches that the last search looked into
-    std::vector<int> found; ///< what it found
+    btDbvt tree;                ///< over the patches; a leaf's data is its patch's number
+    std::vector<int> hit;       ///< patches that the last search looked into
+    std::vector<int> found;     ///< what it found
+    std::vector<int> nearby[2]; ///< of two patches, the triangles near the other's box
 
     void sort_along_curve(const int (*triangle)[3], int triangle_count, int point_count);
     void collect_particles();
-    void refit_node(btDbvtNode* node);
+    void refit_node(btDbvtNode* node, real margin);
+    Box box(int i) const;
+    void collect_nearby(int patch, const Box& other, real reach, std::vector<int>* list) const;
+    void search_patches(int patch, const BulletSkin& other, int other_patch, real reach);
     void search_patch(int patch, real4 center, real reach);
 };
 
@@ -109,7 +143,7 @@ BulletSkin::BulletSkin(const int (*triangle)[3], int triangle_count, const real4
     patch_box.resize((size_t)patches);
     for (int p = 0; p < patches; p++)
         tree.insert(volume_of(Box{x[0], x[0]}), leaf_number(p));
-    refit();
+    refit(0);
     tree.optimizeTopDown();
 }
 
@@ -142,17 +176,17 @@ void BulletSkin::collect_particles() {
 }
 
 /// The tree keeps its shape, for patches that lie together at first stay together.
-void BulletSkin::refit_node(btDbvtNode* node) {
+void BulletSkin::refit_node(btDbvtNode* node, real margin) {
     if (node->isleaf()) {
-        node->volume = volume_of(patch_box[(size_t)node->dataAsInt]);
+        node->volume = volume_of(larger(patch_box[(size_t)node->dataAsInt], margin));
         return;
     }
-    refit_node(node->childs[0]);
-    refit_node(node->childs[1]);
+    refit_node(node->childs[0], margin);
+    refit_node(node->childs[1], margin);
     Merge(node->childs[0]->volume, node->childs[1]->volume, node->volume);
 }
 
-void BulletSkin::refit() {
+void BulletSkin::refit(real margin) {
     whole = NOTHING;
     for (size_t p = 0; p < patch_box.size(); p++) {
         const Box box =
@@ -160,7 +194,7 @@ void BulletSkin::refit() {
         patch_box[p] = box;
         whole = {lower(whole.low, box.low), higher(whole.high, box.high)};
     }
-    refit_node(tree.m_root);
+    refit_node(tree.m_root, margin);
 }
 
 void BulletSkin::search_patch(int patch, real4 center, real reach) {
@@ -186,6 +220,49 @@ const std::vector<int>& BulletSkin::near(real4 center, real reach) {
     return found;
 }
 
+/// Box of triangle i of the patches' order.
+Box BulletSkin::box(int i) const {
+    const int* point = corners[(size_t)i].point;
+    const real4 a = x[point[0]], b = x[point[1]], c = x[point[2]];
+    return {lower(lower(a, b), c), higher(higher(a, b), c)};
+}
+
+/// The triangles of a patch that are within reach of a box.
+void BulletSkin::collect_nearby(int patch, const Box& other, real reach,
+                                std::vector<int>* list) const {
+    list->clear();
+    const int end = std::min((patch + 1) * PATCH, (int)corners.size());
+    for (int i = patch * PATCH; i < end; i++)
+        if (meet(box(i), other, reach))
+            list->push_back(i);
+}
+
+void BulletSkin::search_patches(int patch, const BulletSkin& other, int other_patch, real reach) {
+    collect_nearby(patch, other.patch_box[(size_t)other_patch], reach, &nearby[0]);
+    other.collect_nearby(other_patch, patch_box[(size_t)patch], reach, &nearby[1]);
+    const bool same = &other == this && patch == other_patch;
+    for (const int i : nearby[0]) {
+        const Box around = box(i);
+        for (const int j : nearby[1])
+            if ((!same || i < j) && meet(around, other.box(j), reach))
+                found.insert(found.end(),
+                             {corners[(size_t)i].number, other.corners[(size_t)j].number});
+    }
+}
+
+const std::vector<int>& BulletSkin::near_triangles(const BulletSkin& other, real reach) {
+    found.clear();
+    std::vector<std::pair<int, int>> patches;
+    LeafPairs pairs(&patches);
+    tree.collideTT(tree.m_root, other.tree.m_root, pairs);
+    if (&other == this)
+        for (int p = 0; p < (int)patch_box.size(); p++)
+            patches.emplace_back(p, p);
+    for (const auto& [a, b] : patches)
+        search_patches(a, other, b, reach);
+    return found;
+}
+
 BulletSkin* bullet_skin_open(const int (*triangle)[3], int triangle_count, const real4* x,
                              int point_count) {
     return new BulletSkin(triangle, triangle_count, x, point_count);
@@ -195,8 +272,8 @@ void bullet_skin_close(BulletSkin* skin) {
     delete skin;
 }
 
-void bullet_skin_refit(BulletSkin* skin) {
-    skin->refit();
+void bullet_skin_refit(BulletSkin* skin, double margin) {
+    skin->refit((real)margin);
 }
 
 void bullet_skin_box(const BulletSkin* skin, double low[3], double high[3]) {
@@ -209,9 +286,20 @@ void bullet_skin_box(const BulletSkin* skin, double low[3], double high[3]) {
 int bullet_skin_near(BulletSkin* skin, const double center[3], double reach, int* triangle,
                      int capacity) {
     const double far = std::max({std::fabs(center[0]), std::fabs(center[1]), std::fabs(center[2])});
-    const real asked = (real)(reach * (1 + SLACK) + 4 * REAL_EPSILON * (far + reach));
     const real4 at = {(real)center[0], (real)center[1], (real)center[2], 0};
-    const std::vector<int>& found = skin->near(at, asked);
+    const std::vector<int>& found = skin->near(at, rounded_reach(reach, far));
     std::copy_n(found.begin(), std::min((int)found.size(), capacity), triangle);
     return (int)found.size();
+}
+
+int bullet_skin_near_triangles(BulletSkin* skin, const BulletSkin* other, double reach,
+                               const int (**pair)[2]) {
+    double far = 0;
+    for (const BulletSkin* s : {(const BulletSkin*)skin, other})
+        for (int k = 0; k < 3; k++)
+            far = std::max(
+                {far, std::fabs((double)s->whole.low[k]), std::fabs((double)s->whole.high[k])});
+    const std::vector<int>& found = skin->near_triangles(*other, rounded_reach(reach, far));
+    *pair = reinterpret_cast<const int(*)[2]>(found.data());
+    return (int)found.size() / 2;
 }

@@ -25,7 +25,7 @@ static double4 displacement(real4 x, real4 v, double h) {
 }
 
 bool ccd_passes_through(const Contact* c, double h) {
-    if (c->node_count < CONTACT_NODES || out_of_reach(c, h))
+    if (c->node_count < CONTACT_NODES || c->lever_count == 0 || out_of_reach(c, h))
         return false;
     double4 x[CONTACT_NODES], dx[CONTACT_NODES];
     for (int k = 0; k < CONTACT_NODES; k++) {

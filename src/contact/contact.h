@@ -26,6 +26,7 @@
 #define BALLOON_CONTACT_CONTACT_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "base/vec.h"
 
@@ -77,7 +78,7 @@ typedef struct Contact {
     int side[2]; ///< numbers of ball and ball or skin, the skins behind the balls; NONE: a plane
     int row;     ///< of the table of pairs
     int pair;    ///< of the row, in rising order
-    int feature; ///< of the pair, in rising order: a triangle, a plane, the second ball
+    int64_t feature; ///< of the pair, in rising order: a triangle, a plane, the second ball
 } Contact;
 
 /// Result of a solve, for tests and the overlay.

@@ -5,7 +5,6 @@
 
 #include "base/array.h"
 #include "contact/triangle_path.h"
-#include "contact/shared_feature.h"
 #include "contact/broad_phase.h"
 #include "contact/pair.h"
 #include "contact/paper.h"
@@ -14,13 +13,15 @@
 const char* const contact_law_name[CONTACT_LAWS] = {"impulse", "paper"};
 
 void contacts_open(Contacts* contacts, ContactLaw law, double gravity, const Plane* plane,
-                   int plane_count, Body* const* body, const real4* const* before, int body_count) {
+                   int plane_count, SkinContacts skins, Body* const* body,
+                   const real4* const* before, int body_count) {
     *contacts = (Contacts){
         .law = law,
         .gravity = gravity,
         .plane_count = plane_count,
         .plane = new_array(Plane, plane_count),
         .plane_impulse = new_array(double, (body_count + 1) * plane_count),
+        .skins = skins,
         .skin_count = body_count,
         .skin = new_array(ContactSkin, body_count),
     };
@@ -35,10 +36,7 @@ static void begin(Contacts* contacts) {
     contacts->balls = bullet_balls_open();
     for (int b = 0; b < contacts->skin_count; b++) {
         ContactSkin* skin = &contacts->skin[b];
-        const Mesh* mesh = skin->body->mesh;
-        skin->owners = shared_feature_owners(mesh);
-        skin->patches = bullet_skin_open((const int(*)[3])mesh->triangle, mesh->triangle_count,
-                                         skin->body->x, mesh->point_count);
+        broad_phase_open(skin);
         skin->fastest = broad_phase_max_speed(skin->body);
         skin->path_max = INFINITY;
     }
@@ -67,6 +65,7 @@ static void forget(Contacts* contacts) {
     contacts->contact_count = contacts->near_count = contacts->warm.count = 0;
     for (int b = 0; b < contacts->skin_count; b++)
         contacts->skin[b].path_max = INFINITY;
+    skin_pairs_forget(contacts);
 }
 
 void contacts_clear(Contacts* contacts) {
@@ -140,9 +139,7 @@ static void add_weight(Contacts* contacts, double h) {
         contacts->sphere[s].v[1] -= fall;
 }
 
-double contacts_velocities(Contacts* contacts, double h) {
-    stop(contacts, h);
-    add_weight(contacts, h);
+static double velocities(Contacts* contacts, double h) {
     gather(contacts, h);
     reaction_begin(contacts);
     solve(contacts, h);
@@ -173,6 +170,7 @@ void contacts_undo(Contacts* contacts) {
 }
 
 double contacts_finish(Contacts* contacts, double h) {
+    contacts->part = 0;
     reaction_add_planes(contacts);
     warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
     stop(contacts, h);
@@ -187,8 +185,27 @@ double contacts_finish(Contacts* contacts, double h) {
     return h;
 }
 
+double contacts_velocities(Contacts* contacts, double h) {
+    contacts->part = 0;
+    stop(contacts, h);
+    add_weight(contacts, h);
+    return velocities(contacts, h);
+}
+
+bool contacts_in_parts(const Contacts* contacts) {
+    return contacts->skin_pairs.skin != NULL;
+}
+
+double contacts_velocities_again(Contacts* contacts, double h) {
+    contacts->part++;
+    h = contacts_safe_step(contacts, h);
+    stop(contacts, h);
+    return velocities(contacts, h);
+}
+
 void contacts_drift(Contacts* contacts, double h) {
-    contacts->drift = h;
+    contacts->drift = contacts->part > 0 ? contacts->drift + h : h;
+    skin_pairs_moved(contacts);
     for (int r = 0; r < PAIR_ROWS; r++)
         if (pair_table[r]->count_passes)
             pair_table[r]->count_passes(contacts, h);
@@ -237,13 +254,14 @@ int contacts_bad(const Contacts* contacts) {
 }
 
 void contacts_close(Contacts* contacts) {
-    if (contacts->balls) {
-        for (int b = 0; b < contacts->skin_count; b++) {
+    for (int b = 0; b < contacts->skin_count; b++) {
+        if (contacts->skin[b].patches)
             bullet_skin_close(contacts->skin[b].patches);
-            free(contacts->skin[b].owners);
-        }
-        bullet_balls_close(contacts->balls);
+        free(contacts->skin[b].owners);
     }
+    if (contacts->balls)
+        bullet_balls_close(contacts->balls);
+    skin_pairs_close(contacts);
     free(contacts->plane);
     free(contacts->plane_impulse);
     free(contacts->skin);

@@ -1,4 +1,4 @@
-/// All contacts of a world: balls and skins, balls and planes, balls and balls, skins and planes.
+/// All contacts of a world, between balls, skins and planes.
 ///
 /// A substep is
 ///
@@ -20,13 +20,14 @@
 #include "contact/contact_law.h"
 #include "contact/islands.h"
 #include "contact/plane.h"
+#include "contact/skins/skin_pairs.h"
 #include "contact/warm_start.h"
 
-/// A skin that balls can touch.
+/// A skin that balls and skins can touch.
 typedef struct ContactSkin {
     Body* body;            ///< the caller's
     const real4* before;   ///< [count] velocities before the kick, the caller's
-    BulletSkin* patches;   ///< NULL until the first ball
+    BulletSkin* patches;   ///< NULL until something may touch the skin
     unsigned char* owners; ///< which triangle a shared corner or edge belongs to (shared_feature.h)
     double low[3], high[3]; ///< box of the skin at its last refit
     double path_max;        ///< bound on the path of any of its particles since then [m]
@@ -56,10 +57,13 @@ typedef struct Contacts {
     int pair_capacity;
     ContactPair* pair;  ///< [sphere_count * skin_count], ball after ball
     BulletBalls* balls; ///< broad phase of the balls; NULL until the first one
-    double drift;       ///< length of the last one [s]
-    double kicked;      ///< length of the substep that the balls' last kick was for [s]
-    int contact_count;  ///< contacts that may touch in this part
-    int near_count;     ///< those, and behind them the triangles that are near
+    SkinContacts skins; ///< which skins may touch
+    SkinPairs skin_pairs;
+    double drift;      ///< length of the last one, of all its parts so far [s]
+    double kicked;     ///< length of the substep that the last kick was for [s]
+    int part;          ///< of that drift, which contacts of skins divide
+    int contact_count; ///< contacts that may touch in this part
+    int near_count;    ///< those, and behind them the triangles that are near
     int contact_capacity;
     Contact* contact; ///< [contact_capacity]
     int candidate_capacity;
@@ -73,6 +77,7 @@ typedef struct Contacts {
     Sphere* start;       ///< [start_capacity] the balls before contacts_begin
     double start_kicked; ///< `kicked` then [s]
     long pass_throughs;
+    long zone_particles; ///< particles that were in impact zones, summed over drifts
     double
         separation_work; ///< kinetic energy given to undo overlaps with planes and of balls, so far [J]
 } Contacts;
@@ -80,7 +85,8 @@ typedef struct Contacts {
 /// No balls yet. body: the skins, which must stay where they are; before: the velocities of each
 /// before the kick of a part, in which the caller keeps them.
 void contacts_open(Contacts* contacts, ContactLaw law, double gravity, const Plane* plane,
-                   int plane_count, Body* const* body, const real4* const* before, int body_count);
+                   int plane_count, SkinContacts skins, Body* const* body,
+                   const real4* const* before, int body_count);
 
 /// Add a ball. It is outside or inside each closed skin, by its winding number, and stays there.
 void contacts_add(Contacts* contacts, const Sphere* sphere);
@@ -107,6 +113,13 @@ void contacts_undo(Contacts* contacts);
 /// After: keep the list's impulses for the next warm start; then solve what the equation left or did
 /// not contain. Returns how much of h may be drifted.
 double contacts_finish(Contacts* contacts, double h);
+
+/// Whether a drift that contacts shorten is made in parts after one kick, with contacts solved anew
+/// for each: with skins that touch, which may need many. Else the rest of it has a kick of its own.
+bool contacts_in_parts(const Contacts* contacts);
+
+/// Velocities for the rest of a drift that was shortened: no weight acts again.
+double contacts_velocities_again(Contacts* contacts, double h);
 
 /// Count the pass-throughs of this drift, and move the balls. Call before the skins drift.
 void contacts_drift(Contacts* contacts, double h);

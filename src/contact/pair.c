@@ -3,10 +3,7 @@
 #include "base/array.h"
 
 const PairRow* const pair_table[PAIR_ROWS] = {
-    &pair_ball_ball,
-    &pair_ball_plane,
-    &pair_ball_skin,
-    &pair_skin_plane,
+    &pair_ball_ball, &pair_ball_plane, &pair_ball_skin, &pair_skin_skin, &pair_skin_plane,
 };
 
 Contact* pair_next(Contacts* contacts) {

@@ -35,9 +35,10 @@ typedef struct PairRow {
     void (*count_passes)(Contacts* contacts, double h);
 } PairRow;
 
-extern const PairRow pair_ball_plane, pair_ball_ball, pair_ball_skin, pair_skin_plane;
+extern const PairRow pair_ball_plane, pair_ball_ball, pair_ball_skin, pair_skin_plane,
+    pair_skin_skin;
 
-enum { PAIR_ROWS = 4 };
+enum { PAIR_ROWS = 5 };
 extern const PairRow* const pair_table[PAIR_ROWS];
 
 /// The next contact of the list, for a row to fill in; pair_keep adds it. Contacts of a row come in
@@ -71,9 +72,9 @@ static inline bool pair_bounces(double gap, double closing, double h, double lon
     return closing * h >= gap && closing > pair_min_bounce * longest;
 }
 
-/// Whether nodes 1 to 3 are the corners of a triangle of a skin.
+/// Whether the contact is of a ball and a triangle, the corners of which are nodes 1 to 3.
 static inline bool pair_has_triangle(const Contact* contact) {
-    return contact->node_count == CONTACT_NODES;
+    return contact->lever_count == 1 && contact->node_count == CONTACT_NODES;
 }
 
 /// Node and lever of a ball on one side of a contact, `along` from its centre to the contact point

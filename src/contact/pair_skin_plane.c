@@ -45,19 +45,29 @@ static int compare(const void* a, const void* b) {
     return *(const int*)a - *(const int*)b;
 }
 
-/// Features of the particles of skin b that a ball may push onto a plane in a drift of length h, in
+/// Number of a node's particle; NONE where the node is not of this skin.
+static int particle_of(const Body* body, const ContactNode* node) {
+    const uintptr_t first = (uintptr_t)body->x, at = (uintptr_t)node->position;
+    return at >= first && at < (uintptr_t)(body->x + body->count) ? (int)(node->position - body->x)
+                                                                  : NONE;
+}
+
+/// Features of the particles of skin b that another thing may push onto a plane in a drift of length h, in
 /// rising order, each once. Returns the count.
 static int pushed_features(Contacts* contacts, int b, int touching, double h) {
     int count = 0;
     for (int j = 0; j < touching; j++) {
         const Contact* c = &contacts->contact[j];
-        if (!pair_has_triangle(c) || c->side[1] != contacts->sphere_count + b)
+        const int side = contacts->sphere_count + b;
+        if (c->side[0] != side && c->side[1] != side)
             continue;
-        for (int n = 1; n < c->node_count; n++) {
+        for (int n = 0; n < c->node_count; n++) {
             const ContactNode* node = &c->node[n];
             const real speed = length(*node->velocity) + length(*c->node[0].velocity);
             const real reach = 2 * (real)h * speed + near_share * c->size;
-            const int i = (int)(node->position - contacts->skin[b].body->x);
+            const int i = particle_of(contacts->skin[b].body, node);
+            if (i == NONE)
+                continue;
             for (int k = 0; k < contacts->plane_count; k++)
                 if (plane_gap(&contacts->plane[k], *node->position) <= reach) {
                     array_reserve(contacts->candidate, count, contacts->candidate_capacity);
@@ -75,7 +85,7 @@ static int pushed_features(Contacts* contacts, int b, int touching, double h) {
     return kept;
 }
 
-/// A ball pushes the skin onto a plane: its triangles and their corners on planes are solved as one.
+/// A ball or a skin pushes the skin onto a plane: its triangles and their corners on planes are solved as one.
 /// All other particles have the closed form.
 static void gather(Contacts* contacts, int row, double h) {
     const int touching = contacts->contact_count;

@@ -8,7 +8,7 @@ static int compare(const StoredImpulse* stored, const Contact* contact) {
         return stored->row - contact->row;
     if (stored->pair != contact->pair)
         return stored->pair - contact->pair;
-    return stored->feature - contact->feature;
+    return (stored->feature > contact->feature) - (stored->feature < contact->feature);
 }
 
 void warm_start_load(WarmStart* warm, Contact* contact, double h) {

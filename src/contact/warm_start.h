@@ -11,9 +11,10 @@
 #include "contact/contact.h"
 
 typedef struct StoredImpulse {
-    int row, pair, feature; ///< of the contact
-    real normal_impulse;    ///< of the first solve of the substep [N s]
-    real4 tangent_impulse;  ///< [N s]
+    int row, pair;         ///< of the contact
+    int64_t feature;       ///< of the contact
+    real normal_impulse;   ///< of the first solve of the substep [N s]
+    real4 tangent_impulse; ///< [N s]
 } StoredImpulse;
 
 typedef struct WarmStart {

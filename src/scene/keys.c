@@ -115,6 +115,14 @@ static const Key solver_row[] = {
 #undef DEF
 static const KeyGroup solver_keys = GROUP(solver_row, SolverDef);
 
+#define DEF SkinContacts
+static const Key contacts_row[] = {
+    {{"self", NO_NUMBER, "a skin touches itself"}, KEY_FLAG, AT(self)},
+    {{"others", NO_NUMBER, "two skins touch each other"}, KEY_FLAG, AT(others)},
+};
+#undef DEF
+static const KeyGroup contacts_keys = GROUP(contacts_row, SkinContacts);
+
 #define DEF WorldDef
 #define LIST(field, keys) KEY_LIST, AT(field), COUNT(field##_count), .group = &keys
 static const Key world_row[] = {
@@ -150,6 +158,8 @@ static const Key world_row[] = {
      AT(fails), .group = &fails_keys},
     {{"contact", NO_NUMBER, "impulses that keep momentum, or the mass-spring paper's penalty"},
      KEY_NAME, AT(contact), .name = contact_law_name, .name_count = CONTACT_LAWS},
+    {{"contacts", NO_NUMBER, "which skins touch; one that does is never crossed"}, KEY_MAPPING, AT(contacts),
+     .group = &contacts_keys},
     {{"spheres", NO_NUMBER, "balls that are there from the start"}, LIST(spheres, sphere_keys)},
     {{"walls", NO_NUMBER, "half-spaces beside the floor"}, LIST(walls, wall_keys)},
     {{"pipes", NO_NUMBER, "gas flows through each to the lower pressure"}, LIST(pipes, pipe_keys)},

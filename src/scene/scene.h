@@ -227,8 +227,9 @@ typedef struct WorldDef {
     unsigned about_count;
     BecauseDef* because;
     unsigned because_count;
-    FailsDef* fails;    ///< NULL: the scene does not fail
-    ContactLaw contact; ///< of balls with skins
+    FailsDef* fails;       ///< NULL: the scene does not fail
+    ContactLaw contact;    ///< of balls with skins
+    SkinContacts contacts; ///< of skins
     SphereDef* spheres;
     unsigned spheres_count;
     WallDef* walls;

@@ -5,6 +5,7 @@
 #include "force/helium.h"
 #include "force/inflation.h"
 #include "force/strings.h"
+#include "contact/skins/crossings.h"
 #include "mesh/measure.h"
 
 static double kinetic(const Balloon* balloon) {
@@ -158,6 +159,7 @@ static double plane_force(const OutputSubject* s) {
 static double seconds(SUBJECT) { return world_time(s->world); }
 static double taken_back(SUBJECT) { return (double)s->world->guard.taken_back; }
 static double pass_throughs(SUBJECT) { return (double)s->world->contacts.pass_throughs; }
+static double crossings(SUBJECT) { return crossings_count(s->world->system.body, s->world->balloon_count); }
 static double x(SUBJECT) { return sphere_component(s, false, 0); }
 static double y(SUBJECT) { return sphere_component(s, false, 1); }
 static double z(SUBJECT) { return sphere_component(s, false, 2); }
@@ -205,6 +207,7 @@ const char* const output_prefix[OUTPUT_KINDS] = {
     [OF_SPHERES] = "",
     [OF_FLOOR] = "floor.",
     [OF_WALL] = "wallN.",
+    [OF_SKINS] = "",
     [OF_GUARD] = "guard.",
 };
 
@@ -251,6 +254,7 @@ const Output output_table[] = {
     {"pass_throughs", "1", "times that a ball has passed through a skin", OF_SPHERES, .value = pass_throughs},
     {"force", "N", "normal force of skins and balls on the floor, mean of the last step", OF_FLOOR, .value = plane_force},
     {"force", "N", "normal force on a wall, mean of the last step", OF_WALL, .value = plane_force},
+    {"crossings", "1", "pairs of triangles that cross, of one skin or of two", OF_SKINS, .value = crossings},
     {"taken_back", "1", "steps that gained energy, and were made again in shorter substeps", OF_GUARD, .value = taken_back},
 };
 #undef Q

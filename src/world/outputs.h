@@ -10,7 +10,7 @@
 #include "world/world.h"
 
 /// The subject of a row: the time, each balloon, each string of a balloon, each ball, all balls
-/// together, the floor, each wall, or the guard of the step.
+/// together, the floor, each wall, all skins together, or the guard of the step.
 typedef enum OutputKind {
     OF_TIME,
     OF_BALLOON,
@@ -19,6 +19,7 @@ typedef enum OutputKind {
     OF_SPHERES,
     OF_FLOOR,
     OF_WALL,
+    OF_SKINS,
     OF_GUARD,
     OUTPUT_KINDS
 } OutputKind;

@@ -75,6 +75,9 @@ static bool walk(const World* world, int spheres, Visit visit, void* self) {
         return true;
     if (walk_planes(&subject, visit, self))
         return true;
+    const SkinContacts* skins = &world->def.contacts;
+    if ((skins->self || skins->others) && walk_rows(OF_SKINS, "", &subject, visit, self))
+        return true;
     return guard_splits(&world->guard, world->method) &&
            walk_rows(OF_GUARD, output_prefix[OF_GUARD], &subject, visit, self);
 }

@@ -37,7 +37,7 @@ static void open_contacts(World* world) {
                                   .normal = normal / dlength(normal),
                                   .friction = (real)def->walls[w].friction};
     }
-    contacts_open(&world->contacts, def->contact, scene_gravity(def), plane, planes,
+    contacts_open(&world->contacts, def->contact, scene_gravity(def), plane, planes, def->contacts,
                   world->system.body, (const real4* const*)world->system.v_start,
                   world->balloon_count);
     free(plane);
@@ -182,10 +182,10 @@ static bool is_over(const World* world) {
 }
 
 /// Kick by h, or by the first half, quarter … of h that the method can solve. Returns the length of
-/// the drift, or 0 where the method cannot solve the shortest substep.
-static double kick(World* world, double h, double whole) {
-    double length;
-    while (!world->method->kick(world->method, &world->system, &world->contacts, h, &length)) {
+/// the kick, or 0 where the method cannot solve the shortest substep; *drift: what of it may be
+/// drifted at once.
+static double kick(World* world, double h, double whole, double* drift) {
+    while (!world->method->kick(world->method, &world->system, &world->contacts, h, drift)) {
         notice_factored(world, h);
         if (interrupt_signal())
             return 0;
@@ -201,7 +201,7 @@ static double kick(World* world, double h, double whole) {
                      world->method->name, world->step_count, SPLITS_SLOW);
     }
     notice_factored(world, h);
-    return length;
+    return h;
 }
 
 /// By the corrections of its velocities that are to be expected. [s]
@@ -211,17 +211,26 @@ static double longest_substep(const World* world) {
 }
 
 /// Advance by h, in several substeps where balls are near or a method cannot solve h at once: each
-/// is a safe length, a kick and a drift.
+/// is a safe length, a kick and a drift. Where contacts allow only a part of the drift, they are
+/// found and solved anew for the rest of it.
 static void advance(World* world, double h) {
     const double whole = h;
     for (int parts = 0; h > whole * rounding && parts < SUBSTEPS_NEAR; parts++) {
         const double longest = fmin(longest_substep(world), world->solvable * whole);
         const double safe = contacts_safe_step(&world->contacts, fmin(h, longest));
-        const double length = kick(world, safe, whole);
+        double part, kicked = kick(world, safe, whole, &part);
         if (is_over(world))
             return;
-        drift(world, length);
-        h -= length;
+        drift(world, part);
+        h -= part;
+        kicked -= part;
+        while (contacts_in_parts(&world->contacts) && kicked > whole * rounding &&
+               parts++ < SUBSTEPS_NEAR && !is_over(world)) {
+            part = contacts_velocities_again(&world->contacts, kicked);
+            drift(world, part);
+            h -= part;
+            kicked -= part;
+        }
     }
     world->solvable = fmin(1, 2 * world->solvable);
     if (h > whole * rounding)

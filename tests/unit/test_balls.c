@@ -17,7 +17,7 @@ static const Plane floor_plane = {.point = {7, 0, 7, 0}, .normal = {0, 1, 0, 0}}
 
 static void open_with(Contacts* contacts, double g, const Plane* plane, int planes,
                       const Sphere* sphere, int count) {
-    contacts_open(contacts, CONTACT_IMPULSE, g, plane, planes, NULL, NULL, 0);
+    contacts_open(contacts, CONTACT_IMPULSE, g, plane, planes, (SkinContacts){0}, NULL, NULL, 0);
     for (int i = 0; i < count; i++)
         contacts_add(contacts, &sphere[i]);
 }

@@ -10,7 +10,8 @@ static void open_at(Contacts* contacts, double height, double radius, double res
                          .radius = (real)radius,
                          .mass = 1,
                          .restitution = (real)restitution};
-    contacts_open(contacts, CONTACT_IMPULSE, gravity, &floor_plane, 1, NULL, NULL, 0);
+    contacts_open(contacts, CONTACT_IMPULSE, gravity, &floor_plane, 1, (SkinContacts){0}, NULL,
+                  NULL, 0);
     contacts_add(contacts, &ball);
 }
 

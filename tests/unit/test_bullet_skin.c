@@ -180,7 +180,7 @@ static void near_follows_the_skin_once_refitted(void** state) {
     open_case(&c, "icosphere:2", 1, 0, PLAIN, &random);
     for (int i = 0; i < c.mesh.point_count; i++)
         c.x[i][0] += 5;
-    bullet_skin_refit(c.skin);
+    bullet_skin_refit(c.skin, 0);
     find_all_of(&c, 60, &random);
     assert_int_equal(near(&c, (double4){-1, 0, 0, 0}, 0.5), 0);
 

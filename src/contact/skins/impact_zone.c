@@ -1,0 +1,172 @@
+#include "contact/skins/impact_zone.h"
+
+#include <stdlib.h>
+
+#include "base/memory.h"
+#include "contact/skins/skin_pairs.h"
+#include "mesh/counting_sort.h"
+
+/// Particles of all skins under one numbering.
+typedef struct Zones {
+    Contacts* contacts;
+    int count;   ///< particles
+    int* from;   ///< [skins + 1] number of a skin's first particle
+    int* parent; ///< [count] a forest; a root is its own parent
+    int* zone;   ///< [count] number of a particle's zone, NONE for one alone
+    int* start;  ///< [zones + 1] of a zone's particles in member
+    int* member; ///< [count]
+} Zones;
+
+static int root(int* parent, int i) {
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+static void open_zones(Zones* zones, Contacts* contacts) {
+    *zones = (Zones){.contacts = contacts, .from = new_array(int, contacts->skin_count + 1)};
+    for (int b = 0; b < contacts->skin_count; b++)
+        zones->from[b + 1] = zones->from[b] + contacts->skin[b].body->count;
+    zones->count = zones->from[contacts->skin_count];
+    zones->parent = new_array(int, zones->count);
+    zones->zone = new_array(int, zones->count);
+    zones->start = new_array(int, zones->count + 1);
+    zones->member = new_array(int, zones->count);
+    for (int i = 0; i < zones->count; i++)
+        zones->parent[i] = i;
+}
+
+static void close_zones(Zones* zones) {
+    free(zones->from);
+    free(zones->parent);
+    free(zones->zone);
+    free(zones->start);
+    free(zones->member);
+}
+
+static int number_of(const Zones* zones, const FeaturePair* pair, int k) {
+    return zones->from[pair->skin[k >= (int)pair->kind]] + pair->node[k];
+}
+
+/// A search for pairs that would cross.
+typedef struct Joining {
+    Zones* zones;
+    double h;
+    bool any;
+} Joining;
+
+/// Join the nodes of a pair that would cross.
+static void join(Contacts* contacts, FeaturePair* pair, void* self) {
+    Joining* joining = self;
+    const Zones* zones = joining->zones;
+    const int first = root(zones->parent, number_of(zones, pair, 0));
+    bool joined = true;
+    for (int k = 1; k < FEATURE_NODES; k++)
+        joined &= root(zones->parent, number_of(zones, pair, k)) == first;
+    if (joined || skin_pairs_safe_part(contacts, pair, joining->h) >= 1)
+        return;
+    for (int k = 1; k < FEATURE_NODES; k++)
+        zones->parent[root(zones->parent, number_of(zones, pair, k))] =
+            root(zones->parent, number_of(zones, pair, 0));
+    joining->any = true;
+}
+
+/// Number the zones of more than one particle and list their members. Returns how many there are.
+static int sort_zones(Zones* zones) {
+    int* size = zones->start; // until it is needed
+    for (int i = 0; i < zones->count; i++)
+        size[i] = 0;
+    for (int i = 0; i < zones->count; i++)
+        size[root(zones->parent, i)]++;
+    int count = 0;
+    for (int i = 0; i < zones->count; i++)
+        zones->zone[i] = zones->parent[i] == i && size[i] > 1 ? count++ : NONE;
+    for (int i = 0; i < zones->count; i++)
+        zones->zone[i] = zones->zone[root(zones->parent, i)];
+    counting_sort(zones->zone, zones->count, count, zones->start, zones->member);
+    return count;
+}
+
+typedef struct Particle {
+    double4 x;
+    real4* v;
+    double mass; ///< INFINITY: held
+} Particle;
+
+static Particle particle_of(const Zones* zones, int i) {
+    int b = 0;
+    while (i >= zones->from[b + 1])
+        b++;
+    const Body* body = zones->contacts->skin[b].body;
+    const int k = i - zones->from[b];
+    const bool held = body->inverse_mass[k] <= 0 || body->asleep;
+    return (Particle){to_double4(body->x[k]), &body->v[k], held ? INFINITY : (double)body->mass[k]};
+}
+
+/// The inverse of the inertia tensor a times the angular momentum l: the angular velocity; 0 about an axis with
+/// no extent.
+static double4 angular_velocity(double a[3][3], double4 l) {
+    // cofactors of the symmetric tensor
+    const double4 c[3] = {
+        {a[1][1] * a[2][2] - a[1][2] * a[2][1], a[1][2] * a[2][0] - a[1][0] * a[2][2],
+         a[1][0] * a[2][1] - a[1][1] * a[2][0], 0},
+        {a[0][2] * a[2][1] - a[0][1] * a[2][2], a[0][0] * a[2][2] - a[0][2] * a[2][0],
+         a[0][1] * a[2][0] - a[0][0] * a[2][1], 0},
+        {a[0][1] * a[1][2] - a[0][2] * a[1][1], a[0][2] * a[1][0] - a[0][0] * a[1][2],
+         a[0][0] * a[1][1] - a[0][1] * a[1][0], 0}};
+    const double determinant = a[0][0] * c[0][0] + a[0][1] * c[0][1] + a[0][2] * c[0][2];
+    const double trace = a[0][0] + a[1][1] + a[2][2];
+    if (!(determinant > 1e-12 * trace * trace * trace))
+        return (double4){0};
+    return (double4){ddot(c[0], l), ddot(c[1], l), ddot(c[2], l), 0} / determinant;
+}
+
+/// The rigid motion of a zone's momenta; a zone with a held particle stands still.
+static void move_rigidly(const Zones* zones, int z) {
+    const int* member = zones->member + zones->start[z];
+    const int count = zones->start[z + 1] - zones->start[z];
+    double mass = 0;
+    double4 center = {0}, momentum = {0}, angular = {0};
+    for (int k = 0; k < count; k++) {
+        const Particle p = particle_of(zones, member[k]);
+        mass += p.mass;
+        center += p.mass * p.x;
+        momentum += p.mass * to_double4(*p.v);
+    }
+    const bool held = !(mass < INFINITY);
+    center /= mass;
+    const double4 velocity = momentum / mass;
+    double inertia[3][3] = {{0}};
+    for (int k = 0; k < count && !held; k++) {
+        const Particle p = particle_of(zones, member[k]);
+        const double4 r = p.x - center;
+        angular += p.mass * dcross(r, to_double4(*p.v) - velocity);
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++)
+                inertia[i][j] += p.mass * ((i == j ? ddot(r, r) : 0) - r[i] * r[j]);
+    }
+    const double4 spin = held ? (double4){0} : angular_velocity(inertia, angular);
+    for (int k = 0; k < count; k++) {
+        const Particle p = particle_of(zones, member[k]);
+        *p.v = held ? (real4){0} : to_real4(velocity + dcross(spin, p.x - center));
+    }
+}
+
+int impact_zones(Contacts* contacts, double h) {
+    Zones zones;
+    open_zones(&zones, contacts);
+    for (;;) {
+        Joining joining = {.zones = &zones, .h = h};
+        skin_pairs_each(contacts, join, &joining);
+        if (!joining.any)
+            break;
+        const int count = sort_zones(&zones);
+        for (int z = 0; z < count; z++)
+            move_rigidly(&zones, z);
+    }
+    int members = 0;
+    for (int i = 0; i < zones.count; i++)
+        members += zones.zone[i] != NONE;
+    close_zones(&zones);
+    return members;
+}

@@ -1,0 +1,159 @@
+#include <math.h>
+
+#include "contact/skins/impact_zone.h"
+#include "contact/pair.h"
+#include "contact/skins/skin_pairs.h"
+
+// a drift is made in parts, each with a solve of its own; where they become too short or too many,
+// the rest of it is made by impact zones
+static const double part_min = 0.05; ///< [1] of a kick's drift
+enum { PARTS_MAX = 16 };
+
+static const double slack = 0.1; ///< [rest gaps] more than the speeds close
+
+static double safe_step(Contacts* contacts, double h) {
+    skin_pairs_update(contacts, h);
+    return h;
+}
+
+/// Whether the nearest points are within both features; or on an edge or a corner, where a vertex and
+/// the first triangle of the list that has it stand for all pairs with the same nearest points.
+static bool stands_for_itself(const Contacts* contacts, const FeaturePair* pair) {
+    int on = 0; // bit k: node k has a weight
+    for (int k = 0; k < FEATURE_NODES; k++)
+        on |= (pair->weight[k] != 0) << k;
+    if (pair->kind == EDGE_EDGE)
+        return on == 0xf;
+    if (on == 0xf)
+        return true;
+    const int owners = contacts->skin[pair->skin[1]].owners[(int)(pair->feature & 0x7fffffff)];
+    for (int k = 0; k < 3; k++) {
+        const int corner = 2 << k, next = 2 << (k + 1) % 3;
+        if (on == (1 | corner))
+            return owners >> k & 1;
+        if (on == (1 | corner | next))
+            return owners >> (3 + k) & 1;
+    }
+    return true;
+}
+
+/// Fastest approach of any two corners of the two along the normal [m/s].
+static double closing_speed(const Contacts* contacts, const FeaturePair* pair) {
+    double first = INFINITY, second = -INFINITY;
+    for (int k = 0; k < FEATURE_NODES; k++) {
+        const Body* body = contacts->skin[pair->skin[k >= (int)pair->kind]].body;
+        const double along = ddot(pair->normal, to_double4(body->v[pair->node[k]]));
+        if (k < (int)pair->kind)
+            first = fmin(first, along);
+        else
+            second = fmax(second, along);
+    }
+    return fmax(second - first, 0);
+}
+
+static void set_node(Contacts* contacts, Contact* contact, const FeaturePair* pair, int k) {
+    Body* body = contacts->skin[pair->skin[k >= (int)pair->kind]].body;
+    const int i = pair->node[k];
+    const real weight = (real)pair->weight[k];
+    const bool held = body->inverse_mass[i] <= 0;
+    contact->node[k] =
+        (ContactNode){&body->v[i], &body->x[i], weight, held ? 0 : weight * body->inverse_mass[i],
+                      held ? (real)INFINITY : body->mass[i]};
+}
+
+/// Rises from list to list, and within a list with its order.
+static int number_of(const Contacts* contacts, const FeaturePair* pair) {
+    const int a = pair->skin[0], b = pair->skin[1];
+    const int list = a < b ? a * contacts->skin_count + b : b * contacts->skin_count + a;
+    return 4 * list + 2 * (a > b) + (int)pair->kind - 1;
+}
+
+static void add(Contacts* contacts, int row, const FeaturePair* pair, double h) {
+    Contact* contact = pair_next(contacts);
+    *contact = (Contact){
+        .node_count = FEATURE_NODES,
+        .normal = to_real4(pair->normal),
+        .gap = (real)(pair->distance - pair->rest_gap),
+        .size = (real)contacts->skin_pairs.skin[pair->skin[0]].scale,
+        .side = {contacts->sphere_count + pair->skin[0], contacts->sphere_count + pair->skin[1]},
+        .row = row,
+        .pair = number_of(contacts, pair),
+        .feature = pair->feature};
+    real response = 0;
+    for (int k = 0; k < FEATURE_NODES; k++) {
+        set_node(contacts, contact, pair, k);
+        response += contact->node[k].weight * contact->node[k].response;
+    }
+    if (response <= 0) // all are held
+        return;
+    contact_set_masses(contact);
+    body_wake(contacts->skin[pair->skin[0]].body);
+    body_wake(contacts->skin[pair->skin[1]].body);
+    pair_keep(contacts, true, h);
+}
+
+typedef struct Gathering {
+    int row;
+    double h;
+} Gathering;
+
+static void gather_pair(Contacts* contacts, FeaturePair* pair, void* self) {
+    const Gathering* gathering = self;
+    if (contacts->skin[pair->skin[0]].body->asleep && contacts->skin[pair->skin[1]].body->asleep)
+        return;
+    skin_pairs_look(contacts, pair);
+    const double closed = 1.5 * gathering->h * closing_speed(contacts, pair);
+    if (pair->distance <= (1 + slack) * pair->rest_gap + closed &&
+        stands_for_itself(contacts, pair))
+        add(contacts, gathering->row, pair, gathering->h);
+}
+
+static void gather(Contacts* contacts, int row, double h) {
+    skin_pairs_each(contacts, gather_pair, &(Gathering){row, h});
+}
+
+/// The safe part of a drift so far.
+typedef struct SafePart {
+    double h;
+    double part;
+} SafePart;
+
+static void shorten(Contacts* contacts, FeaturePair* pair, void* self) {
+    SafePart* safe = self;
+    if (contacts->skin[pair->skin[0]].body->asleep && contacts->skin[pair->skin[1]].body->asleep)
+        return;
+    safe->part *= skin_pairs_safe_part(contacts, pair, safe->part * safe->h);
+}
+
+static double safe_part(Contacts* contacts, double h) {
+    SafePart safe = {h, 1};
+    skin_pairs_each(contacts, shorten, &safe);
+    return safe.part;
+}
+
+/// A shorter drift rounds other displacements than a share of the longer one has: again until none
+/// of them crosses.
+static double safe_drift(Contacts* contacts, double h) {
+    for (double part = 0; part < 1; h *= part)
+        part = safe_part(contacts, h);
+    return h;
+}
+
+static double limit_drift(Contacts* contacts, double h) {
+    h = skin_pairs_limit(contacts, h);
+    if (contacts->skin_pairs.count == 0)
+        return h;
+    const double safe = safe_drift(contacts, h);
+    if (safe == h || (contacts->part < PARTS_MAX && safe > part_min * contacts->kicked))
+        return safe;
+    contacts->zone_particles += impact_zones(contacts, h);
+    return skin_pairs_limit(contacts, h);
+}
+
+const PairRow pair_skin_skin = {
+    .name = "skin-skin",
+    .about = "vertices and triangles, edges and edges of two skins or of one",
+    .safe_step = safe_step,
+    .gather = gather,
+    .limit_drift = limit_drift,
+};

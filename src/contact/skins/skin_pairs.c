@@ -1,0 +1,340 @@
+#include "contact/skins/skin_pairs.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "contact/broad_phase.h"
+#include "contact/contacts.h"
+
+static const double gap_share = 0.1;     ///< [shortest edges] rest gap of a skin without thickness
+static const double gap_min = 1e-4;      ///< [mean edges] least rest gap
+static const double margin_self = 0.2;   ///< [mean edges] of the list of a skin with itself
+static const double margin_others = 0.4; ///< [mean edges] of a list of two skins
+static const double keep_share = 0.1;    ///< [1] of its distance that a pair keeps in a drift
+static const double forecast = 2;        ///< [drifts] that a list should hold
+enum {
+    HALVINGS_MAX = 60,
+    CROSSED_INTERVAL = 16 ///< updates between looks at skins that cross
+};
+
+// ---- skins ----
+
+static double edge_length(const Body* body, int e) {
+    const int* end = body->mesh->edge[e];
+    return dlength(to_double4(body->x[end[0]]) - to_double4(body->x[end[1]]));
+}
+
+static void open_skin(Contacts* contacts, int b) {
+    TouchingSkin* skin = &contacts->skin_pairs.skin[b];
+    const Body* body = contacts->skin[b].body;
+    double shortest = INFINITY, sum = 0;
+    for (int e = 0; e < body->mesh->edge_count; e++) {
+        const double length = edge_length(body, e);
+        shortest = fmin(shortest, length);
+        sum += length;
+    }
+    skin->scale = sum / fmax(body->mesh->edge_count, 1);
+    double gap = gap_share * shortest;
+    if (body->membrane.count > 0) {
+        gap = INFINITY;
+        for (int e = 0; e < body->membrane.count; e++)
+            gap = fmin(gap, (double)body->membrane.first[e]);
+    }
+    skin->rest_gap = fmax(gap, gap_min * skin->scale);
+    skin->reference = new_array(real4, body->count);
+    memcpy(skin->reference, body->x, (size_t)body->count * sizeof(real4));
+    skin->motion.stretch = skin->reference_motion.stretch = 1;
+    broad_phase_open(&contacts->skin[b]);
+}
+
+static void open_pairs(Contacts* contacts) {
+    SkinPairs* pairs = &contacts->skin_pairs;
+    pairs->skin = new_array(TouchingSkin, contacts->skin_count);
+    pairs->made = new_array(bool, contacts->skin_count * contacts->skin_count);
+    pairs->list = new_array(PairList, contacts->skin_count * contacts->skin_count);
+    for (int b = 0; b < contacts->skin_count; b++)
+        open_skin(contacts, b);
+}
+
+bool skin_pairs_may_touch(const Contacts* contacts, int a, int b) {
+    return a == b ? contacts->skins.self : contacts->skins.others;
+}
+
+static bool any_touch(const Contacts* contacts) {
+    return contacts->law != CONTACT_PAPER && contacts->skin_count > 0 &&
+           (contacts->skins.self || (contacts->skins.others && contacts->skin_count > 1));
+}
+
+double skin_pairs_rest_gap(const Contacts* contacts, int a, int b) {
+    const TouchingSkin* skin = contacts->skin_pairs.skin;
+    return (skin[a].rest_gap + skin[b].rest_gap) / 2;
+}
+
+static PairList* list_of(const Contacts* contacts, int a, int b) {
+    return &contacts->skin_pairs.list[a * contacts->skin_count + b];
+}
+
+// ---- motion ----
+
+/// The middle of a box of vectors, and half its diagonal: none is farther from the middle.
+static double middle_of(const Extent* extent, double4* middle) {
+    const double4 low = to_double4(extent->low), high = to_double4(extent->high);
+    *middle = 0.5 * (low + high);
+    return 0.5 * dlength(high - low);
+}
+
+static void widen(Extent* extent, real4 a) {
+    for (int k = 0; k < 3; k++) {
+        extent->low[k] = a[k] < extent->low[k] ? a[k] : extent->low[k];
+        extent->high[k] = a[k] > extent->high[k] ? a[k] : extent->high[k];
+    }
+}
+
+/// How much longer a box has become along each axis, less 1.
+static real4 stretch_of(const Extent* now, const Extent* before) {
+    real4 stretch = {0, 0, 0, 0};
+    for (int k = 0; k < 3; k++) {
+        const real length = before->high[k] - before->low[k];
+        if (length > 0)
+            stretch[k] = (now->high[k] - now->low[k]) / length - 1;
+    }
+    return stretch;
+}
+
+/// Motion up to the positions x + ahead v. Any stretch gives a bound; that of the boxes a good one.
+static SkinMotion motion_of(const TouchingSkin* skin, const Body* body, double ahead) {
+    const real4* from = skin->reference;
+    const real h = body->asleep ? 0 : (real)ahead;
+    Extent now, before = {from[0], from[0]};
+    now.low = now.high = body->x[0] + h * body->v[0];
+    for (int i = 1; i < body->count; i++) {
+        widen(&now, body->x[i] + h * body->v[i]);
+        widen(&before, from[i]);
+    }
+    const real4 stretch = stretch_of(&now, &before);
+    Extent way, rest;
+    for (int i = 0; i < body->count; i++) {
+        const real4 d = body->x[i] + h * body->v[i] - from[i], r = d - stretch * from[i];
+        if (i == 0) {
+            way = (Extent){d, d};
+            rest = (Extent){r, r};
+        }
+        widen(&way, d);
+        widen(&rest, r);
+    }
+    SkinMotion motion = skin->reference_motion;
+    double4 middle;
+    motion.residual += middle_of(&rest, &middle);
+    motion.path += middle_of(&way, &middle);
+    motion.shift += middle;
+    motion.stretch *= fmin(1, 1 + (double)real_min(real_min(stretch[0], stretch[1]), stretch[2]));
+    return motion;
+}
+
+static void measure_motion(Contacts* contacts, double ahead) {
+    for (int b = 0; b < contacts->skin_count; b++) {
+        TouchingSkin* skin = &contacts->skin_pairs.skin[b];
+        skin->motion = motion_of(skin, contacts->skin[b].body, ahead);
+    }
+}
+
+/// Whether all pairs that are not in the list of a and b are farther apart than their rest gap. A
+/// path is straight, so what holds at both ends of a drift holds between them.
+static bool holds(const Contacts* contacts, int a, int b) {
+    const PairList* list = list_of(contacts, a, b);
+    const SkinMotion* p = &contacts->skin_pairs.skin[a].motion;
+    const SkinMotion* q = &contacts->skin_pairs.skin[b].motion;
+    const double gap = skin_pairs_rest_gap(contacts, a, b);
+    if (list->crossed)
+        return true;
+    if (!list->valid)
+        return false;
+    if (a == b)
+        return p->stretch / list->from[0].stretch * (gap + list->clearance) -
+                   2 * (p->residual - list->from[0].residual) >=
+               gap;
+    return p->path - list->from[0].path + q->path - list->from[1].path +
+               dlength(p->shift - list->from[0].shift - (q->shift - list->from[1].shift)) <=
+           list->clearance;
+}
+
+static bool all_hold(const Contacts* contacts) {
+    for (int a = 0; a < contacts->skin_count; a++)
+        for (int b = a; b < contacts->skin_count; b++)
+            if (skin_pairs_may_touch(contacts, a, b) && !holds(contacts, a, b))
+                return false;
+    return true;
+}
+
+double skin_pairs_limit(Contacts* contacts, double h) {
+    if (!any_touch(contacts))
+        return h;
+    for (int halving = 0; halving < HALVINGS_MAX; halving++) {
+        measure_motion(contacts, h);
+        if (all_hold(contacts))
+            return h;
+        h /= 2;
+    }
+    return h;
+}
+
+void skin_pairs_moved(Contacts* contacts) {
+    for (int b = 0; contacts->skin_pairs.skin && b < contacts->skin_count; b++)
+        contacts->skin_pairs.skin[b].fitted = false;
+}
+
+// ---- lists ----
+
+/// Boxes of a skin where it is now, for searches up to the longest reach.
+static void fit(Contacts* contacts, int b, double reach_max) {
+    TouchingSkin* touching = &contacts->skin_pairs.skin[b];
+    ContactSkin* skin = &contacts->skin[b];
+    if (touching->fitted)
+        return;
+    bullet_skin_refit(skin->patches, 0.51 * reach_max);
+    bullet_skin_box(skin->patches, skin->low, skin->high);
+    skin->path_max = 0;
+    touching->fitted = true;
+    touching->reference_motion = touching->motion;
+    memcpy(touching->reference, skin->body->x, (size_t)skin->body->count * sizeof(real4));
+}
+
+static double box_distance(const ContactSkin* a, const ContactSkin* b) {
+    double4 away = {0};
+    for (int k = 0; k < 3; k++)
+        away[k] = fmax(fmax(a->low[k] - b->high[k], b->low[k] - a->high[k]), 0);
+    return dlength(away);
+}
+
+/// Longest reach of any search.
+static double reach_max(const Contacts* contacts) {
+    double reach = 0;
+    for (int b = 0; b < contacts->skin_count; b++) {
+        const TouchingSkin* skin = &contacts->skin_pairs.skin[b];
+        reach = fmax(reach, skin->rest_gap + margin_others * skin->scale);
+    }
+    return reach;
+}
+
+static void make_list(Contacts* contacts, int a, int b, double longest) {
+    SkinPairs* pairs = &contacts->skin_pairs;
+    PairList* list = list_of(contacts, a, b);
+    fit(contacts, a, longest);
+    fit(contacts, b, longest);
+    const double scale = fmin(pairs->skin[a].scale, pairs->skin[b].scale);
+    const double margin = (a == b ? margin_self : margin_others) * scale;
+    const double gap = skin_pairs_rest_gap(contacts, a, b);
+    const double apart = a == b ? 0 : box_distance(&contacts->skin[a], &contacts->skin[b]);
+    pairs->count -= list->count;
+    list->count = 0;
+    list->valid = true;
+    list->from[0] = pairs->skin[a].motion;
+    list->from[1] = pairs->skin[b].motion;
+    list->clearance = fmax(margin, apart - gap);
+    if (apart <= gap + margin)
+        skin_pairs_find(contacts, a, b, gap + margin);
+    pairs->count += list->count;
+}
+
+/// At the start, and now and then of those that did: whether they cross.
+static void look_for_crossed(Contacts* contacts, double longest) {
+    SkinPairs* pairs = &contacts->skin_pairs;
+    const bool first = !pairs->begun, due = ++pairs->updates % CROSSED_INTERVAL == 0;
+    pairs->begun = true;
+    for (int a = 0; (first || due) && a < contacts->skin_count; a++)
+        for (int b = a; b < contacts->skin_count; b++) {
+            PairList* list = list_of(contacts, a, b);
+            if (!skin_pairs_may_touch(contacts, a, b) || !(first || list->crossed))
+                continue;
+            fit(contacts, a, longest);
+            fit(contacts, b, longest);
+            list->crossed = skin_pairs_cross(contacts, a, b);
+        }
+}
+
+void skin_pairs_update(Contacts* contacts, double h) {
+    if (!any_touch(contacts))
+        return;
+    SkinPairs* pairs = &contacts->skin_pairs;
+    if (!pairs->skin)
+        open_pairs(contacts);
+    const double longest = reach_max(contacts);
+    look_for_crossed(contacts, longest);
+    measure_motion(contacts, forecast * h);
+    bool* made = pairs->made;
+    bool any = false;
+    for (int a = 0; a < contacts->skin_count; a++)
+        for (int b = a; b < contacts->skin_count; b++)
+            any |= made[a * contacts->skin_count + b] =
+                skin_pairs_may_touch(contacts, a, b) && !holds(contacts, a, b);
+    if (!any)
+        return;
+    measure_motion(contacts, 0);
+    for (int a = 0; a < contacts->skin_count; a++)
+        for (int b = a; b < contacts->skin_count; b++)
+            if (made[a * contacts->skin_count + b])
+                make_list(contacts, a, b, longest);
+}
+
+void skin_pairs_each(Contacts* contacts, PairVisit* visit, void* self) {
+    if (contacts->skin_pairs.count == 0)
+        return;
+    for (int l = 0; l < contacts->skin_count * contacts->skin_count; l++) {
+        const PairList* list = &contacts->skin_pairs.list[l];
+        for (int k = 0; k < list->count; k++)
+            visit(contacts, &list->pair[k], self);
+    }
+}
+
+// ---- pairs ----
+
+void skin_pairs_look(const Contacts* contacts, FeaturePair* pair) {
+    double4 x[FEATURE_NODES], away = {0};
+    for (int k = 0; k < FEATURE_NODES; k++)
+        x[k] = to_double4(contacts->skin[pair->skin[k >= (int)pair->kind]].body->x[pair->node[k]]);
+    pair->distance = feature_distance(pair->kind, x, pair->weight);
+    for (int k = 1; k < FEATURE_NODES; k++) // the weights sum to 0
+        away += pair->weight[k] * (x[k] - x[0]);
+    pair->normal = away / dlength(away);
+}
+
+double skin_pairs_safe_part(const Contacts* contacts, const FeaturePair* pair, double h) {
+    double4 x[FEATURE_NODES], dx[FEATURE_NODES], end[FEATURE_NODES];
+    for (int k = 0; k < FEATURE_NODES; k++) {
+        const Body* body = contacts->skin[pair->skin[k >= (int)pair->kind]].body;
+        const real4 at = body->x[pair->node[k]];
+        end[k] = to_double4(body->asleep ? at : at + (real)h * body->v[pair->node[k]]);
+        x[k] = to_double4(at);
+        dx[k] = end[k] - x[k];
+    }
+    // where a plane separates the two at both ends, it does between them: paths are straight
+    const double kept = keep_share * fmin(pair->distance, pair->rest_gap);
+    if (feature_separation(pair->kind, end, pair->normal) >= kept)
+        return 1;
+    return feature_safe_part(pair->kind, x, dx, keep_share);
+}
+
+void skin_pairs_forget(Contacts* contacts) {
+    SkinPairs* pairs = &contacts->skin_pairs;
+    pairs->begun = false;
+    pairs->count = 0;
+    for (int b = 0; pairs->skin && b < contacts->skin_count; b++)
+        pairs->skin[b].fitted = false;
+    for (int l = 0; pairs->list && l < contacts->skin_count * contacts->skin_count; l++) {
+        pairs->list[l].valid = false;
+        pairs->list[l].count = 0;
+    }
+}
+
+void skin_pairs_close(Contacts* contacts) {
+    SkinPairs* pairs = &contacts->skin_pairs;
+    for (int l = 0; pairs->list && l < contacts->skin_count * contacts->skin_count; l++)
+        free(pairs->list[l].pair);
+    for (int b = 0; pairs->skin && b < contacts->skin_count; b++)
+        free(pairs->skin[b].reference);
+    free(pairs->list);
+    free(pairs->made);
+    free(pairs->skin);
+    *pairs = (SkinPairs){0};
+}

@@ -1,0 +1,248 @@
+/// Skins that touch: nothing crosses, momenta are kept. Crossings are counted by a program of the
+/// tests' own, exactly: the signs of volumes in 113 bits.
+#include "base/random.h"
+#include "contact/skins/feature_pair.h"
+#include "worlds.h"
+
+typedef __float128 Exact;
+
+static Exact volume(real4 a, real4 b, real4 c, real4 d) {
+    Exact u[3], v[3], w[3];
+    for (int k = 0; k < 3; k++) {
+        u[k] = (Exact)a[k] - (Exact)d[k];
+        v[k] = (Exact)b[k] - (Exact)d[k];
+        w[k] = (Exact)c[k] - (Exact)d[k];
+    }
+    return u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+           u[2] * (v[0] * w[1] - v[1] * w[0]);
+}
+
+/// Whether segment (a, b) passes through the inside of triangle c.
+static bool pierces(real4 a, real4 b, const real4 c[3]) {
+    if (!(volume(a, c[0], c[1], c[2]) * volume(b, c[0], c[1], c[2]) < 0))
+        return false;
+    const Exact side[3] = {volume(a, b, c[0], c[1]), volume(a, b, c[1], c[2]),
+                           volume(a, b, c[2], c[0])};
+    return (side[0] > 0 && side[1] > 0 && side[2] > 0) ||
+           (side[0] < 0 && side[1] < 0 && side[2] < 0);
+}
+
+static bool boxes_meet(const real4 a[3], const real4 b[3]) {
+    for (int k = 0; k < 3; k++) {
+        const real low_a = fmin(a[0][k], fmin(a[1][k], a[2][k])),
+                   high_a = fmax(a[0][k], fmax(a[1][k], a[2][k])),
+                   low_b = fmin(b[0][k], fmin(b[1][k], b[2][k])),
+                   high_b = fmax(b[0][k], fmax(b[1][k], b[2][k]));
+        if (low_a > high_b || low_b > high_a)
+            return false;
+    }
+    return true;
+}
+
+static void corners(const Body* body, int t, real4 x[3]) {
+    for (int k = 0; k < 3; k++)
+        x[k] = body->x[body->mesh->triangle[t][k]];
+}
+
+static bool share(const Body* a, int t, const Body* b, int u) {
+    for (int j = 0; a == b && j < 3; j++)
+        for (int k = 0; k < 3; k++)
+            if (a->mesh->triangle[t][j] == b->mesh->triangle[u][k])
+                return true;
+    return false;
+}
+
+/// Pairs of triangles without a common corner that cross.
+static int crossings(const World* world) {
+    int count = 0;
+    for (int i = 0; i < world->balloon_count; i++)
+        for (int j = i; j < world->balloon_count; j++) {
+            const Body *a = &world->balloon[i].body, *b = &world->balloon[j].body;
+            for (int t = 0; t < a->mesh->triangle_count; t++)
+                for (int u = i == j ? t + 1 : 0; u < b->mesh->triangle_count; u++) {
+                    real4 p[3], q[3];
+                    corners(a, t, p);
+                    corners(b, u, q);
+                    bool any = false;
+                    if (boxes_meet(p, q) && !share(a, t, b, u))
+                        for (int k = 0; k < 3; k++)
+                            any |= pierces(p[k], p[(k + 1) % 3], q) ||
+                                   pierces(q[k], q[(k + 1) % 3], p);
+                    count += any;
+                }
+        }
+    return count;
+}
+
+/// The least distance of points of the two, on a grid of their parameters.
+static double sampled_distance(FeatureKind kind, const double4 x[4]) {
+    enum { N = 200 };
+    double nearest = INFINITY;
+    for (int i = 0; i <= N; i++)
+        for (int j = 0; j <= N; j++) {
+            const double s = (double)i / N, t = (double)j / N;
+            double4 away;
+            if (kind == EDGE_EDGE)
+                away = (1 - s) * x[0] + s * x[1] - (1 - t) * x[2] - t * x[3];
+            else if (s + t <= 1)
+                away = x[0] - (1 - s - t) * x[1] - s * x[2] - t * x[3];
+            else
+                continue;
+            nearest = fmin(nearest, dlength(away));
+        }
+    return nearest;
+}
+
+static void features_have_their_distance(void** state) {
+    (void)state;
+    Random random = {1};
+    for (int n = 0; n < 40; n++) {
+        double4 x[4] = {{0}};
+        for (int k = 0; k < 4; k++)
+            for (int c = 0; c < 3; c++)
+                x[k][c] = random_next(&random);
+        const FeatureKind kind = n % 2 ? EDGE_EDGE : VERTEX_TRIANGLE;
+        double weight[4];
+        const double distance = feature_distance(kind, x, weight),
+                     sampled = sampled_distance(kind, x);
+        assert_true(distance <= sampled + 1e-12);
+        assert_near(distance, sampled, 0.01);
+        double4 away = {0};
+        for (int k = 0; k < 4; k++)
+            away += weight[k] * x[k];
+        assert_near(dlength(away), distance, 1e-12);
+        // a straight path to the mirror image crosses: only a part of it is safe
+        double4 to_other_side[4];
+        for (int k = 0; k < 4; k++)
+            to_other_side[k] = k < (int)kind ? -2 * away : (double4){0};
+        const double part = feature_safe_part(kind, x, to_other_side, 0.1);
+        assert_true(part > 0 && part <= 0.5);
+        assert_near(feature_safe_part(kind, x, (double4[4]){{0}}, 0.1), 1, 0);
+    }
+}
+
+static void a_heap_never_crosses_by_any_method(void** state) {
+    (void)state;
+    const char* const method[] = {"euler", "newton", "xpbd", "projective"};
+    for (int m = 0; m < 4; m++) {
+        char text[40];
+        snprintf(text, sizeof text, "method=%s", method[m]);
+        World world;
+        WORLD_OF(&world, "heap", text);
+        int touched = 0;
+        for (int k = 0; k < 6; k++) {
+            run_for(&world, 0.1);
+            assert_false(world.blowup.halted);
+            assert_int_equal(crossings(&world), 0);
+            assert_near(probe(&world, "crossings"), 0, 0);
+            touched += world.contacts.contact_count;
+        }
+        assert_true(touched > 0);
+        world_close(&world);
+    }
+}
+
+static void without_contacts_it_crosses(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "heap", "contacts.others=false");
+    run_for(&world, 0.3);
+    const int count = crossings(&world);
+    assert_true(count > 10);
+    assert_near(probe(&world, "crossings"), count, 0.05 * count); // it also looks at neighbours
+    world_close(&world);
+}
+
+typedef struct Momenta {
+    double4 linear, angular;
+    double linear_sum, angular_sum, kinetic;
+} Momenta;
+
+static Momenta momenta(const World* world) {
+    Momenta sum = {{0}, {0}, 0, 0, 0};
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Body* body = &world->balloon[b].body;
+        for (int i = 0; i < body->count; i++) {
+            const double m = (double)body->mass[i];
+            const double4 p = m * to_double4(body->v[i]), l = dcross(to_double4(body->x[i]), p);
+            sum.linear += p;
+            sum.angular += l;
+            sum.linear_sum += dlength(p);
+            sum.angular_sum += dlength(l);
+            sum.kinetic += ddot(p, p) / (2 * m);
+        }
+    }
+    return sum;
+}
+
+/// Two balloons of the heap, the others far away, fly at each other.
+static void fling(World* world, double speed, const char* step) {
+    char text[40];
+    snprintf(text, sizeof text, "step=%s", step);
+    WORLD_OF(world, "heap", text, "gravity=0", "floor=-100", "balloons.0.damping.rate=0",
+             "balloons.1.damping.rate=0", "balloons.2.damping.rate=0",
+             "balloons.2.position=[0, 5, 0]", "balloons.1.position=[0.26, 0.15, 0.02]");
+    for (int b = 0; b < 2; b++) {
+        Body* body = &world->balloon[b].body;
+        for (int i = 0; i < body->count; i++)
+            body->v[i][0] = (real)(b == 0 ? speed : -speed);
+    }
+}
+
+static void a_hit_keeps_momenta_and_crosses_nothing(void** state) {
+    (void)state;
+    const struct {
+        double speed;
+        const char* step;
+    } hit[] = {{2, "0.001"}, {10, "0.001"}, {20, "0.02"}};
+    for (int k = 0; k < 3; k++) {
+        World world;
+        fling(&world, hit[k].speed, hit[k].step);
+        const Momenta before = momenta(&world);
+        for (int n = 0; n < 5; n++) {
+            run_for(&world, fmax(0.1 / hit[k].speed, world.step));
+            assert_int_equal(crossings(&world), 0);
+        }
+        const Momenta after = momenta(&world);
+        assert_true(after.kinetic < 1.5 * before.kinetic); // their gas is a little above ambient
+        const double tolerance = TOLERANCE(1e-5, 1e-12);
+        assert_near(dlength(after.linear - before.linear), 0, tolerance * before.linear_sum);
+        assert_near(dlength(after.angular - before.angular), 0, tolerance * before.angular_sum);
+        assert_true(world.balloon[0].body.v[0][0] < (real)(0.9 * hit[k].speed)); // they did hit
+        world_close(&world);
+    }
+}
+
+static void skins_that_begin_crossed_touch_once_they_are_apart(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "heap", "gravity=0", "balloons.1.position=[0.15, 0.117, 0.011]",
+             "balloons.1.damping.rate=0", "balloons.0.damping.rate=0");
+    assert_true(crossings(&world) > 0);
+    world_step(&world);
+    const PairList* list = &world.contacts.skin_pairs.list[1];
+    assert_true(list->crossed);
+    // pulled apart, then pushed together
+    const real speed[] = {2, -4};
+    for (int k = 0; k < 2; k++) {
+        Body* body = &world.balloon[1].body;
+        for (int i = 0; i < body->count; i++)
+            body->v[i] = (real4){speed[k], 0, 0, 0};
+        run_for(&world, 0.08);
+        assert_false(list->crossed);
+        assert_int_equal(crossings(&world), 0);
+    }
+    assert_true(probe(&world, "balloon0.px") < -0.01); // it was hit
+    world_close(&world);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(features_have_their_distance),
+        cmocka_unit_test(a_heap_never_crosses_by_any_method),
+        cmocka_unit_test(without_contacts_it_crosses),
+        cmocka_unit_test(a_hit_keeps_momenta_and_crosses_nothing),
+        cmocka_unit_test(skins_that_begin_crossed_touch_once_they_are_apart),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
