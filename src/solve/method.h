@@ -77,6 +77,10 @@ typedef struct Method {
     /// velocities and the contacts' impulses. NULL: contacts change the velocities after the kick.
     bool (*kick_group)(Group* group, double h);
 
+    /// Whether a body's solver can solve the equation with contacts; NULL: always. Where it cannot,
+    /// contacts change the velocities after kick_body.
+    bool (*solves_contacts)(const void* workspace);
+
     /// Positions after h; `forward` also changes the velocities here. The others use body_drift.
     void (*drift)(Body* body, double h);
 

@@ -101,11 +101,20 @@ static void restore_velocities(System* system) {
     }
 }
 
+static bool contacts_in_equation(const Method* method, const System* system) {
+    if (!method->kick_group)
+        return false;
+    for (int b = 0; b < system->body_count; b++)
+        if (method->solves_contacts && !method->solves_contacts(system->workspace[b]))
+            return false;
+    return true;
+}
+
 bool system_kick(const Method* method, System* system, Contacts* contacts, double h,
                  double* drift) {
     // velocities before: for a step that cannot be solved, and for contacts
     Kick kick = {method, system, h, method->can_fail || contacts->sphere_count > 0};
-    const bool in_groups = method->kick_group != NULL;
+    const bool in_groups = contacts_in_equation(method, system);
     if (in_groups)
         kick_groups(&kick, contacts);
     else

@@ -183,7 +183,7 @@ static bool measure_maps(const char* folder, bool quick, const char** refused, F
 
 static bool measure_limits(const char* folder, bool quick, Fault* fault) {
     FILE* out = create(folder, "stability.csv",
-                       "scene,method,damping,step_measured,step_theory,step_bound", fault);
+                       "scene,method,damping,step_measured,step_theory,step_bound\n", fault);
     bool good = out != NULL;
     if (good)
         printf("%-31s %-11s %5s %11s %11s %11s %9s %9s\n", "scene", "method", "damp", "measured s",
