@@ -197,14 +197,18 @@ void BulletSkin::refit(real margin) {
     refit_node(tree.m_root, margin);
 }
 
+/// Box of triangle i of the patches' order.
+Box BulletSkin::box(int i) const {
+    const int* point = corners[(size_t)i].point;
+    const real4 a = x[point[0]], b = x[point[1]], c = x[point[2]];
+    return {lower(lower(a, b), c), higher(higher(a, b), c)};
+}
+
 void BulletSkin::search_patch(int patch, real4 center, real reach) {
     const size_t end = std::min((size_t)(patch + 1) * PATCH, corners.size());
-    for (size_t i = (size_t)patch * PATCH; i < end; i++) {
-        const int* point = corners[i].point;
-        const real4 a = x[point[0]], b = x[point[1]], c = x[point[2]];
-        if (within({lower(lower(a, b), c), higher(higher(a, b), c)}, center, reach))
+    for (size_t i = (size_t)patch * PATCH; i < end; i++)
+        if (within(box((int)i), center, reach))
             found.push_back(corners[i].number);
-    }
 }
 
 /// Numbers of the triangles whose boxes are within reach, in rising order.
@@ -218,13 +222,6 @@ const std::vector<int>& BulletSkin::near(real4 center, real reach) {
             search_patch(p, center, reach);
     std::sort(found.begin(), found.end());
     return found;
-}
-
-/// Box of triangle i of the patches' order.
-Box BulletSkin::box(int i) const {
-    const int* point = corners[(size_t)i].point;
-    const real4 a = x[point[0]], b = x[point[1]], c = x[point[2]];
-    return {lower(lower(a, b), c), higher(higher(a, b), c)};
 }
 
 /// The triangles of a patch that are within reach of a box.

@@ -229,8 +229,7 @@ void contacts_keep(Contacts* contacts) {
     contacts->good_drift = contacts->drift;
     contacts->good_kicked = contacts->kicked;
     contacts->good_count = contacts->sphere_count;
-    if (contacts->good_count)
-        memcpy(contacts->good, contacts->sphere, (size_t)contacts->good_count * sizeof(Sphere));
+    copy_balls(contacts->good, contacts->sphere, contacts->good_count);
 }
 
 void contacts_put_back(Contacts* contacts) {
@@ -238,8 +237,7 @@ void contacts_put_back(Contacts* contacts) {
     contacts->kicked = contacts->good_kicked;
     contacts->sphere_count = contacts->good_count;
     forget(contacts);
-    if (contacts->good_count)
-        memcpy(contacts->sphere, contacts->good, (size_t)contacts->good_count * sizeof(Sphere));
+    copy_balls(contacts->sphere, contacts->good, contacts->good_count);
 }
 
 int contacts_bad(const Contacts* contacts) {

@@ -24,11 +24,10 @@ static void reserve(Islands* islands, int count, int side_count) {
     }
 }
 
-/// Root of a side's tree; halves the path on the way.
-static int root(int* parent, int side) {
-    while (parent[side] != side)
-        side = parent[side] = parent[parent[side]];
-    return side;
+int islands_root(int* parent, int element) {
+    while (parent[element] != element)
+        element = parent[element] = parent[parent[element]];
+    return element;
 }
 
 void islands_find(Islands* islands, Contact* contact, int count, int side_count) {
@@ -36,11 +35,12 @@ void islands_find(Islands* islands, Contact* contact, int count, int side_count)
     int* parent = islands->parent;
     for (int k = 0; k < count; k++)
         if (contact[k].side[1] != NONE)
-            parent[root(parent, contact[k].side[1])] = root(parent, contact[k].side[0]);
+            parent[islands_root(parent, contact[k].side[1])] =
+                islands_root(parent, contact[k].side[0]);
 
     islands->count = 0;
     for (int k = 0; k < count; k++) {
-        int* number = &islands->island[root(parent, contact[k].side[0])];
+        int* number = &islands->island[islands_root(parent, contact[k].side[0])];
         if (*number == NONE)
             *number = islands->count++;
         islands->key[k] = *number;

@@ -26,6 +26,9 @@ void islands_find(Islands* islands, Contact* contact, int count, int side_count)
 /// Number of a side's island, or NONE if it has no contact.
 int islands_of_side(const Islands* islands, int side);
 
+/// Root of an element's tree in a forest where a root is its own parent; halves the path on the way.
+int islands_root(int* parent, int element);
+
 void islands_close(Islands* islands);
 
 #endif

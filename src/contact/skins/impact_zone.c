@@ -17,12 +17,6 @@ typedef struct Zones {
     int* member; ///< [count]
 } Zones;
 
-static int root(int* parent, int i) {
-    while (parent[i] != i)
-        i = parent[i] = parent[parent[i]];
-    return i;
-}
-
 static void open_zones(Zones* zones, Contacts* contacts) {
     *zones = (Zones){.contacts = contacts, .from = new_array(int, contacts->skin_count + 1)};
     for (int b = 0; b < contacts->skin_count; b++)
@@ -59,15 +53,15 @@ typedef struct Joining {
 static void join(Contacts* contacts, FeaturePair* pair, void* self) {
     Joining* joining = self;
     const Zones* zones = joining->zones;
-    const int first = root(zones->parent, number_of(zones, pair, 0));
+    const int first = islands_root(zones->parent, number_of(zones, pair, 0));
     bool joined = true;
     for (int k = 1; k < FEATURE_NODES; k++)
-        joined &= root(zones->parent, number_of(zones, pair, k)) == first;
+        joined &= islands_root(zones->parent, number_of(zones, pair, k)) == first;
     if (joined || skin_pairs_safe_part(contacts, pair, joining->h) >= 1)
         return;
     for (int k = 1; k < FEATURE_NODES; k++)
-        zones->parent[root(zones->parent, number_of(zones, pair, k))] =
-            root(zones->parent, number_of(zones, pair, 0));
+        zones->parent[islands_root(zones->parent, number_of(zones, pair, k))] =
+            islands_root(zones->parent, number_of(zones, pair, 0));
     joining->any = true;
 }
 
@@ -77,12 +71,12 @@ static int sort_zones(Zones* zones) {
     for (int i = 0; i < zones->count; i++)
         size[i] = 0;
     for (int i = 0; i < zones->count; i++)
-        size[root(zones->parent, i)]++;
+        size[islands_root(zones->parent, i)]++;
     int count = 0;
     for (int i = 0; i < zones->count; i++)
         zones->zone[i] = zones->parent[i] == i && size[i] > 1 ? count++ : NONE;
     for (int i = 0; i < zones->count; i++)
-        zones->zone[i] = zones->zone[root(zones->parent, i)];
+        zones->zone[i] = zones->zone[islands_root(zones->parent, i)];
     counting_sort(zones->zone, zones->count, count, zones->start, zones->member);
     return count;
 }
