@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 
 declare -A may=(
     [base]="base"
-    [mesh]="base mesh"
+    [mesh]="base mesh mesh/shapes" [mesh/shapes]="base mesh mesh/shapes"
     [body]="base mesh body"
     [force]="base mesh body force"
     [solve/multigrid]="base mesh force solve/multigrid"

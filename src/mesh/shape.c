@@ -2,15 +2,17 @@
 
 #include <string.h>
 
-#include "mesh/sheets.h"
-#include "mesh/solids.h"
+#include "mesh/shapes/sheets.h"
+#include "mesh/shapes/solids.h"
 
 // clang-format off
 const Shape shape_table[] = {
     {"cube", "cube of side 2, N x N quads a side", 1, {1}, {1}, {400}, solid_cube},
+    {"box", "box of side 1, N x N quads a side", 1, {1}, {1}, {400}, solid_box},
     {"cube-sphere", "sphere of radius 1 from a cube of N x N quads a side", 1, {12}, {1}, {400}, solid_cube_sphere},
     {"icosphere", "sphere of radius 1 from an icosahedron split N times, triangles", 1, {3}, {0}, {7}, solid_icosphere},
     {"torus", "ring of radii 1 and 0.4, A quads around it and B around its tube", 2, {24, 12}, {3, 3}, {1000, 1000}, solid_torus},
+    {"capsule", "capsule of radius 1 and length 4 along y, A quads around and B along its straight part", 2, {16, 2}, {3, 1}, {1000, 1000}, solid_capsule},
     {"grid", "open sheet of A x B squares, 2 wide", 2, {10, 10}, {1, 1}, {1000, 1000}, sheet_grid},
     {"pillow", "two square sheets of N x N quads, 2 wide, sewn at the rim", 1, {16}, {2}, {700}, sheet_pillow},
     {"disc", "open disc of radius 1, A rings of B sectors, triangles in the middle", 2, {12, 36}, {1, 3}, {1000, 1000}, sheet_disc},

@@ -1,7 +1,7 @@
 /// Shapes: their counts, that they need no mending, and that they have the size they say.
 #include "meshes.h"
 
-#include "mesh/circle.h"
+#include "mesh/shapes/circle.h"
 #include "mesh/shape.h"
 
 typedef struct Counts {
@@ -17,6 +17,7 @@ typedef struct Counts {
 static const Counts counts[] = {
     {"cube",           8,                6,           12,          0, 0},
     {"cube:5",         152,              150,         300,         0, 0},
+    {"box",            8,                6,           12,          0, 0},
     {"cube-sphere",    6 * 144 + 2,      6 * 144,     12 * 144,    0, 0},
     {"cube-sphere:1",  8,                6,           12,          0, 0},
     {"cube-sphere:43", 11096,            11094,       22188,       0, 0},
@@ -26,6 +27,8 @@ static const Counts counts[] = {
     {"torus",          288,              288,         576,         1, 0},
     {"torus:3x3",      9,                9,           18,          1, 0},
     {"torus:7x5",      35,               35,          70,          1, 0},
+    {"capsule",        9 * 16 + 2,       10 * 16,     19 * 16,     0, 0},
+    {"capsule:3x1",    2 * 3 + 2,        9,           15,          0, 0},
     {"grid",           121,              100,         220,         0, 1},
     {"grid:3x2",       12,               6,           17,          0, 1},
     {"grid:1x1",       4,                1,           4,           0, 1},
@@ -118,6 +121,8 @@ static void round_shapes_converge_at_order_two(void** state) {
     (void)state;
     check_order_two("cube-sphere:12", "cube-sphere:24", 4 * PI, 4 * PI / 3);
     check_order_two("icosphere:3", "icosphere:4", 4 * PI, 4 * PI / 3);
+    // the capsule's length is 4, its radius 1
+    check_order_two("capsule:40x4", "capsule:80x8", 8 * PI, 2 * PI + 4 * PI / 3);
     check_order_two("torus:40x30", "torus:80x60", 4 * PI * PI * 0.4, 2 * PI * PI * 0.16);
 }
 

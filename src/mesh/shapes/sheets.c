@@ -1,9 +1,9 @@
-#include "mesh/sheets.h"
+#include "mesh/shapes/sheets.h"
 
 #include <stdlib.h>
 
 #include "base/memory.h"
-#include "mesh/circle.h"
+#include "mesh/shapes/circle.h"
 #include "mesh/mesh.h"
 
 static void set_face(MeshSource* source, int f, int a, int b, int c, int d) {

@@ -1,4 +1,4 @@
-#include "mesh/circle.h"
+#include "mesh/shapes/circle.h"
 
 static const double EIGHTH = 0.78539816339744830962; ///< pi / 4, an eighth of the way around
 enum { TERMS = 18 };                                 ///< pi/4 to the 19th over 19! is below 1e-19

@@ -1,10 +1,10 @@
-#include "mesh/solids.h"
+#include "mesh/shapes/solids.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "mesh/circle.h"
+#include "mesh/shapes/circle.h"
 #include "mesh/edges.h"
 
 /// The number of a point on the surface of the lattice 0 … n in x, y and z. Layers of z follow each
@@ -61,6 +61,12 @@ void solid_cube(MeshSource* source, int n, int unused) {
             }
         }
     }
+}
+
+void solid_box(MeshSource* source, int n, int unused) {
+    solid_cube(source, n, unused);
+    for (int i = 0; i < source->point_count; i++)
+        source->point[i] *= 0.5;
 }
 
 static void project_to_sphere(MeshSource* source) {

@@ -6,8 +6,8 @@
 ///     y = +-BULGE (1 - r^2)             discs
 ///
 /// A line across is longer by about 2/3 BULGE^2 than if it were flat, less than 1e-4.
-#ifndef BALLOON_MESH_SHEETS_H
-#define BALLOON_MESH_SHEETS_H
+#ifndef BALLOON_MESH_SHAPES_SHEETS_H
+#define BALLOON_MESH_SHAPES_SHEETS_H
 
 #include "mesh/source.h"
 
