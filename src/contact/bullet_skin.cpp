@@ -120,16 +120,18 @@ struct BulletSkin {
     std::vector<int> particle;      ///< of each patch, each once
     std::vector<int> particle_from; ///< [patches + 1]
     std::vector<Box> patch_box;
-    btDbvt tree;                ///< over the patches; a leaf's data is its patch's number
-    std::vector<int> hit;       ///< patches that the last search looked into
-    std::vector<int> found;     ///< what it found
-    std::vector<int> nearby[2]; ///< of two patches, the triangles near the other's box
+    btDbvt tree;            ///< over the patches; a leaf's data is its patch's number
+    std::vector<int> hit;   ///< patches that the last search looked into
+    std::vector<int> found; ///< what it found
+    std::vector<std::pair<int, Box>>
+        nearby[2]; ///< of two patches, the triangles near the other's box
 
     void sort_along_curve(const int (*triangle)[3], int triangle_count, int point_count);
     void collect_particles();
     void refit_node(btDbvtNode* node, real margin);
     Box box(int i) const;
-    void collect_nearby(int patch, const Box& other, real reach, std::vector<int>* list) const;
+    void collect_nearby(int patch, const Box& other, real reach,
+                        std::vector<std::pair<int, Box>>* list) const;
     void search_patches(int patch, const BulletSkin& other, int other_patch, real reach);
     void search_patch(int patch, real4 center, real reach);
 };
@@ -226,25 +228,25 @@ const std::vector<int>& BulletSkin::near(real4 center, real reach) {
 
 /// The triangles of a patch that are within reach of a box.
 void BulletSkin::collect_nearby(int patch, const Box& other, real reach,
-                                std::vector<int>* list) const {
+                                std::vector<std::pair<int, Box>>* list) const {
     list->clear();
     const int end = std::min((patch + 1) * PATCH, (int)corners.size());
-    for (int i = patch * PATCH; i < end; i++)
-        if (meet(box(i), other, reach))
-            list->push_back(i);
+    for (int i = patch * PATCH; i < end; i++) {
+        const Box here = box(i);
+        if (meet(here, other, reach))
+            list->emplace_back(i, here);
+    }
 }
 
 void BulletSkin::search_patches(int patch, const BulletSkin& other, int other_patch, real reach) {
     collect_nearby(patch, other.patch_box[(size_t)other_patch], reach, &nearby[0]);
     other.collect_nearby(other_patch, patch_box[(size_t)patch], reach, &nearby[1]);
     const bool same = &other == this && patch == other_patch;
-    for (const int i : nearby[0]) {
-        const Box around = box(i);
-        for (const int j : nearby[1])
-            if ((!same || i < j) && meet(around, other.box(j), reach))
+    for (const auto& [i, around] : nearby[0])
+        for (const auto& [j, box] : nearby[1])
+            if ((!same || i < j) && meet(around, box, reach))
                 found.insert(found.end(),
                              {corners[(size_t)i].number, other.corners[(size_t)j].number});
-    }
 }
 
 const std::vector<int>& BulletSkin::near_triangles(const BulletSkin& other, real reach) {

@@ -205,7 +205,7 @@ double contacts_velocities_again(Contacts* contacts, double h) {
 
 void contacts_drift(Contacts* contacts, double h) {
     contacts->drift = contacts->part > 0 ? contacts->drift + h : h;
-    skin_pairs_moved(contacts);
+    skin_pairs_moved(contacts, h);
     for (int r = 0; r < PAIR_ROWS; r++)
         if (pair_table[r]->count_passes)
             pair_table[r]->count_passes(contacts, h);

@@ -83,6 +83,11 @@ static bool no_way_to_go(const WorldDef* world, const BalloonDef* balloon) {
     return inflation && inflation->max != 0 && inflation->max <= inflation->min;
 }
 
+static bool touches_and_is_moved(const WorldDef* world, const BalloonDef* balloon) {
+    return (world->contacts.self || world->contacts.others) && balloon->skin.membrane &&
+           balloon->skin.membrane->volume == VOLUME_GLOBAL;
+}
+
 // clang-format off
 static const Rule rule_table[] = {
     {"skin", "a skin is of springs or a membrane, not both", two_skins},
@@ -90,6 +95,8 @@ static const Rule rule_table[] = {
     {"mass", "a membrane has the mass of its rubber, from density and thickness", two_masses},
     {"skin.springs", "no kind of spring has a stiffness; give one, as in {structural: 50}",
      no_stiffness},
+    {"skin.membrane", "skins that touch need `volume: local`; `global` moves particles after contacts "
+                      "have been solved", touches_and_is_moved},
     {"strings", "a string needs a skin that holds its particle, as in "
                 "skin: {springs: {structural: 50}}", tied_without_skin},
     {"strings", "a string without `to` hangs down to the floor, and this scene has none; "

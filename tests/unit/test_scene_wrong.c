@@ -30,6 +30,8 @@ static const Wrong wrong_table[] = {
      "balloons.0.skin.membrane needs the key 'material'"},
     {HEAD "    skin: {membrane: {material: stvk, young: 1, density: 1, thickness: 1}}\n", 4,
      "a membrane has the mass of its rubber"},
+    {RUBBER "material: stvk-3d, volume: global}}\ncontacts: {self: true}\n", 4,
+     "skins that touch need `volume: local`"},
     {RUBBER "material: cheese}}\n", 4, "no material 'cheese'; there are neo-hookean"},
     {RUBBER "material: stvk-3d, poisson: 0.5}}\n", 4, "poisson must be greater than -1 and less than 0.5"},
     {RUBBER "material: neo-hookean, poisson: 0.4}}\n", 4, "poisson must be 0.5, not 0.4"},

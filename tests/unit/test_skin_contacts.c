@@ -142,6 +142,34 @@ static void a_heap_never_crosses_by_any_method(void** state) {
     }
 }
 
+/// Pairs that are not measured in a part are those that their last distance and the motion since rule
+/// out, in lists that hold.
+static void a_pair_is_never_nearer_than_its_bound(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "heap", "method=euler");
+    long stale = 0;
+    for (int n = 0; n < 50; n++) {
+        run_for(&world, 0.005);
+        const SkinPairs* pairs = &world.contacts.skin_pairs;
+        for (int l = 0; l < 9; l++)
+            for (int k = 0; k < pairs->list[l].count; k++) {
+                const PairList* list = &pairs->list[l];
+                const FeaturePair* pair = &list->pair[k];
+                double4 x[4];
+                double weight[4];
+                for (int i = 0; i < 4; i++)
+                    x[i] = to_double4(
+                        world.balloon[pair->skin[i >= (int)pair->kind]].body.x[pair->node[i]]);
+                assert_true(feature_distance(pair->kind, x, weight) - pair->rest_gap >=
+                            list->near_from[k] - list->moved);
+                stale += pair->measured != pairs->drifts - 1;
+            }
+    }
+    assert_true(stale > 100);
+    world_close(&world);
+}
+
 static void without_contacts_it_crosses(void** state) {
     (void)state;
     World world;
@@ -240,6 +268,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(features_have_their_distance),
         cmocka_unit_test(a_heap_never_crosses_by_any_method),
+        cmocka_unit_test(a_pair_is_never_nearer_than_its_bound),
         cmocka_unit_test(without_contacts_it_crosses),
         cmocka_unit_test(a_hit_keeps_momenta_and_crosses_nothing),
         cmocka_unit_test(skins_that_begin_crossed_touch_once_they_are_apart),

@@ -4,8 +4,12 @@ enum { MAX_ADVANCES = 64 }; ///< after them, the part so far is safe
 static const double rounding =
     1e-14; ///< [1] of the terms of a volume, many times what double loses
 
+/// [1] of the product of their squared lengths: of the area between two edges that are far from
+/// parallel, squared
+static const double far_from_parallel = 1e-6;
+
 static double clamp(double a) {
-    return fmin(fmax(a, 0), 1);
+    return a > 0 ? (a < 1 ? a : 1) : 0;
 }
 
 /// Parameter of the point of segment (a, b) nearest p.
@@ -52,23 +56,39 @@ static double vertex_triangle(const double4 x[4], double weight[4]) {
     return sqrt(distance2);
 }
 
-/// The nearest points are inside both edges, or one is an end: five candidates, so that edges that
-/// are nearly parallel lose nothing.
+/// The candidate with end k of the first edge, or of the second one.
+static void keep_end(const double4 x[4], bool first, int k, double* distance2, double weight[4]) {
+    if (first) {
+        const double t = nearest_on_segment(x[k], x[2], x[3]);
+        keep_nearer(x, (const double[4]){1 - k, k, -(1 - t), -t}, distance2, weight);
+    } else {
+        const double s = nearest_on_segment(x[2 + k], x[0], x[1]);
+        keep_nearer(x, (const double[4]){1 - s, s, k - 1, -k}, distance2, weight);
+    }
+}
+
+/// The nearest points are inside both edges, or one is an end. The squared distance is convex in the
+/// parameters: where the minimum for s clamped has t within the edge, that is it, else it is at the end
+/// of the second edge. Edges that are nearly parallel try all ends, and lose nothing.
 static double edge_edge(const double4 x[4], double weight[4]) {
     double distance2 = INFINITY;
     const double4 d1 = x[1] - x[0], d2 = x[3] - x[2], r = x[0] - x[2];
     const double a = ddot(d1, d1), e = ddot(d2, d2), b = ddot(d1, d2), c = ddot(d1, r),
                  f = ddot(d2, r), denominator = a * e - b * b;
-    if (denominator > 0) {
-        const double s = (b * f - c * e) / denominator, t = (a * f - b * c) / denominator;
-        if (s > 0 && s < 1 && t > 0 && t < 1)
-            keep_nearer(x, (const double[4]){1 - s, s, -(1 - t), -t}, &distance2, weight);
-    }
-    for (int k = 0; k < 2; k++) {
-        const double t = nearest_on_segment(x[k], x[2], x[3]),
-                     s = nearest_on_segment(x[2 + k], x[0], x[1]);
-        keep_nearer(x, (const double[4]){1 - k, k, -(1 - t), -t}, &distance2, weight);
-        keep_nearer(x, (const double[4]){1 - s, s, k - 1, -k}, &distance2, weight);
+    const double s = (b * f - c * e) / denominator, t = (a * f - b * c) / denominator;
+    if (denominator > 0 && s > 0 && s < 1 && t > 0 && t < 1)
+        keep_nearer(x, (const double[4]){1 - s, s, -(1 - t), -t}, &distance2, weight);
+    if (!(denominator > far_from_parallel * (a * e))) {
+        for (int k = 0; k < 2; k++) {
+            keep_end(x, true, k, &distance2, weight);
+            keep_end(x, false, k, &distance2, weight);
+        }
+    } else if (!(distance2 < INFINITY)) {
+        const double along = b * clamp(s) + f; // e t
+        if (!(s > 0 && s < 1) && along > 0 && along < e)
+            keep_end(x, true, s > 0, &distance2, weight);
+        else
+            keep_end(x, false, along > 0, &distance2, weight);
     }
     return sqrt(distance2);
 }

@@ -21,9 +21,10 @@ typedef struct FeaturePair {
     int node[FEATURE_NODES]; ///< particles
     int64_t feature;         ///< number of both features, in rising order
     double rest_gap;         ///< distance at which the two touch [m]
-    // at the last look
-    double distance; ///< [m]
-    double4 normal;  ///< unit vector from the second side's nearest point to the first's
+    // where it was last measured
+    int64_t measured; ///< number of drifts then
+    double distance;  ///< [m]
+    double4 normal;   ///< unit vector from the second side's nearest point to the first's
     double weight[FEATURE_NODES]; ///< nearest points: sum_k weight_k x_k is normal times distance
 } FeaturePair;
 

@@ -151,7 +151,7 @@ int impact_zones(Contacts* contacts, double h) {
     open_zones(&zones, contacts);
     for (;;) {
         Joining joining = {.zones = &zones, .h = h};
-        skin_pairs_each(contacts, join, &joining);
+        skin_pairs_each_near(contacts, h, 0, join, &joining);
         if (!joining.any)
             break;
         const int count = sort_zones(&zones);

@@ -9,7 +9,8 @@
 static const double part_min = 0.05; ///< [1] of a kick's drift
 enum { PARTS_MAX = 16 };
 
-static const double slack = 0.1; ///< [rest gaps] more than the speeds close
+static const double slack = 0.1;  ///< [rest gaps] more than the speeds close
+static const double margin = 1.5; ///< [1] of what they close, for the speeds that the solve changes
 
 static double safe_step(Contacts* contacts, double h) {
     skin_pairs_update(contacts, h);
@@ -99,17 +100,14 @@ typedef struct Gathering {
 
 static void gather_pair(Contacts* contacts, FeaturePair* pair, void* self) {
     const Gathering* gathering = self;
-    if (contacts->skin[pair->skin[0]].body->asleep && contacts->skin[pair->skin[1]].body->asleep)
-        return;
-    skin_pairs_look(contacts, pair);
-    const double closed = 1.5 * gathering->h * closing_speed(contacts, pair);
+    const double closed = margin * gathering->h * closing_speed(contacts, pair);
     if (pair->distance <= (1 + slack) * pair->rest_gap + closed &&
         stands_for_itself(contacts, pair))
         add(contacts, gathering->row, pair, gathering->h);
 }
 
 static void gather(Contacts* contacts, int row, double h) {
-    skin_pairs_each(contacts, gather_pair, &(Gathering){row, h});
+    skin_pairs_each_near(contacts, margin * h, slack, gather_pair, &(Gathering){row, h});
 }
 
 /// The safe part of a drift so far.
@@ -120,14 +118,12 @@ typedef struct SafePart {
 
 static void shorten(Contacts* contacts, FeaturePair* pair, void* self) {
     SafePart* safe = self;
-    if (contacts->skin[pair->skin[0]].body->asleep && contacts->skin[pair->skin[1]].body->asleep)
-        return;
     safe->part *= skin_pairs_safe_part(contacts, pair, safe->part * safe->h);
 }
 
 static double safe_part(Contacts* contacts, double h) {
     SafePart safe = {h, 1};
-    skin_pairs_each(contacts, shorten, &safe);
+    skin_pairs_each_near(contacts, h, 0, shorten, &safe);
     return safe.part;
 }
 

@@ -75,94 +75,53 @@ static PairList* list_of(const Contacts* contacts, int a, int b) {
     return &contacts->skin_pairs.list[a * contacts->skin_count + b];
 }
 
-// ---- motion ----
+// ---- how long lists hold ----
 
-/// The middle of a box of vectors, and half its diagonal: none is farther from the middle.
-static double middle_of(const Extent* extent, double4* middle) {
-    const double4 low = to_double4(extent->low), high = to_double4(extent->high);
-    *middle = 0.5 * (low + high);
-    return 0.5 * dlength(high - low);
-}
-
-static void widen(Extent* extent, real4 a) {
-    for (int k = 0; k < 3; k++) {
-        extent->low[k] = a[k] < extent->low[k] ? a[k] : extent->low[k];
-        extent->high[k] = a[k] > extent->high[k] ? a[k] : extent->high[k];
-    }
-}
-
-/// How much longer a box has become along each axis, less 1.
-static real4 stretch_of(const Extent* now, const Extent* before) {
-    real4 stretch = {0, 0, 0, 0};
-    for (int k = 0; k < 3; k++) {
-        const real length = before->high[k] - before->low[k];
-        if (length > 0)
-            stretch[k] = (now->high[k] - now->low[k]) / length - 1;
-    }
-    return stretch;
-}
-
-/// Motion up to the positions x + ahead v. Any stretch gives a bound; that of the boxes a good one.
-static SkinMotion motion_of(const TouchingSkin* skin, const Body* body, double ahead) {
-    const real4* from = skin->reference;
-    const real h = body->asleep ? 0 : (real)ahead;
-    Extent now, before = {from[0], from[0]};
-    now.low = now.high = body->x[0] + h * body->v[0];
-    for (int i = 1; i < body->count; i++) {
-        widen(&now, body->x[i] + h * body->v[i]);
-        widen(&before, from[i]);
-    }
-    const real4 stretch = stretch_of(&now, &before);
-    Extent way, rest;
-    for (int i = 0; i < body->count; i++) {
-        const real4 d = body->x[i] + h * body->v[i] - from[i], r = d - stretch * from[i];
-        if (i == 0) {
-            way = (Extent){d, d};
-            rest = (Extent){r, r};
-        }
-        widen(&way, d);
-        widen(&rest, r);
-    }
-    SkinMotion motion = skin->reference_motion;
-    double4 middle;
-    motion.residual += middle_of(&rest, &middle);
-    motion.path += middle_of(&way, &middle);
-    motion.shift += middle;
-    motion.stretch *= fmin(1, 1 + (double)real_min(real_min(stretch[0], stretch[1]), stretch[2]));
-    return motion;
-}
-
-static void measure_motion(Contacts* contacts, double ahead) {
-    for (int b = 0; b < contacts->skin_count; b++) {
-        TouchingSkin* skin = &contacts->skin_pairs.skin[b];
-        skin->motion = motion_of(skin, contacts->skin[b].body, ahead);
-    }
-}
-
-/// Whether all pairs that are not in the list of a and b are farther apart than their rest gap. A
-/// path is straight, so what holds at both ends of a drift holds between them.
-static bool holds(const Contacts* contacts, int a, int b) {
+/// How much more relative motion the list allows after a drift of length `ahead` [m]: while that is
+/// not negative, all pairs that are not in it are farther apart than their rest gap. A path is
+/// straight, so what holds at both ends of a drift holds between them.
+static double slack_of(Contacts* contacts, int a, int b, double ahead) {
     const PairList* list = list_of(contacts, a, b);
-    const SkinMotion* p = &contacts->skin_pairs.skin[a].motion;
-    const SkinMotion* q = &contacts->skin_pairs.skin[b].motion;
+    const SkinMotion *p = skin_motion_measure(contacts, a, ahead),
+                     *q = skin_motion_measure(contacts, b, ahead);
     const double gap = skin_pairs_rest_gap(contacts, a, b);
-    if (list->crossed)
-        return true;
-    if (!list->valid)
-        return false;
     if (a == b)
         return p->stretch / list->from[0].stretch * (gap + list->clearance) -
-                   2 * (p->residual - list->from[0].residual) >=
-               gap;
-    return p->path - list->from[0].path + q->path - list->from[1].path +
-               dlength(p->shift - list->from[0].shift - (q->shift - list->from[1].shift)) <=
-           list->clearance;
+               2 * (p->residual - list->from[0].residual) - gap;
+    return list->clearance -
+           (p->path - list->from[0].path + q->path - list->from[1].path +
+            dlength(p->shift - list->from[0].shift - (q->shift - list->from[1].shift)));
 }
 
-static bool all_hold(const Contacts* contacts) {
+/// Whether the list holds after a drift: by the cheap bound, or by the tight one.
+static bool holds(Contacts* contacts, int a, int b, double ahead) {
+    const PairList* list = list_of(contacts, a, b);
+    if (list->crossed)
+        return true;
+    return list->valid &&
+           (list->moved + skin_motion_relative(contacts, a, b, ahead) <= list->holds_until ||
+            slack_of(contacts, a, b, ahead) >= 0);
+}
+
+/// The motions that were measured are no longer of the present positions and velocities.
+static void forget_motions(const Contacts* contacts) {
+    for (int b = 0; b < contacts->skin_count; b++)
+        contacts->skin_pairs.skin[b].ahead = NAN;
+}
+
+/// The same; where the cheap bound has run out, the tight one sets it anew.
+static bool holds_longer(Contacts* contacts, int a, int b, double ahead) {
+    PairList* list = list_of(contacts, a, b);
+    const double relative = skin_motion_relative(contacts, a, b, ahead);
+    if (list->valid && !list->crossed && list->moved + relative > list->holds_until)
+        list->holds_until = fmax(list->holds_until, list->moved + slack_of(contacts, a, b, 0));
+    return holds(contacts, a, b, ahead);
+}
+
+static bool all_hold(Contacts* contacts, double ahead) {
     for (int a = 0; a < contacts->skin_count; a++)
         for (int b = a; b < contacts->skin_count; b++)
-            if (skin_pairs_may_touch(contacts, a, b) && !holds(contacts, a, b))
+            if (skin_pairs_may_touch(contacts, a, b) && !holds(contacts, a, b, ahead))
                 return false;
     return true;
 }
@@ -170,18 +129,27 @@ static bool all_hold(const Contacts* contacts) {
 double skin_pairs_limit(Contacts* contacts, double h) {
     if (!any_touch(contacts))
         return h;
+    forget_motions(contacts);
+    skin_motion_measure_velocities(contacts);
     for (int halving = 0; halving < HALVINGS_MAX; halving++) {
-        measure_motion(contacts, h);
-        if (all_hold(contacts))
+        if (all_hold(contacts, h))
             return h;
         h /= 2;
     }
     return h;
 }
 
-void skin_pairs_moved(Contacts* contacts) {
-    for (int b = 0; contacts->skin_pairs.skin && b < contacts->skin_count; b++)
+void skin_pairs_moved(Contacts* contacts, double h) {
+    if (!contacts->skin_pairs.skin)
+        return;
+    contacts->skin_pairs.drifts++;
+    for (int a = 0; a < contacts->skin_count; a++)
+        for (int b = a; b < contacts->skin_count; b++)
+            list_of(contacts, a, b)->moved += skin_motion_relative(contacts, a, b, h);
+    for (int b = 0; b < contacts->skin_count; b++) {
+        skin_motion_drifted(contacts, b, h);
         contacts->skin_pairs.skin[b].fitted = false;
+    }
 }
 
 // ---- lists ----
@@ -195,7 +163,12 @@ static void fit(Contacts* contacts, int b, double reach_max) {
     bullet_skin_refit(skin->patches, 0.51 * reach_max);
     bullet_skin_box(skin->patches, skin->low, skin->high);
     skin->path_max = 0;
+    touching->coordinate_max = 0;
+    for (int k = 0; k < 3; k++)
+        touching->coordinate_max =
+            fmax(touching->coordinate_max, fmax(fabs(skin->low[k]), fabs(skin->high[k])));
     touching->fitted = true;
+    skin_motion_measure(contacts, b, 0);
     touching->reference_motion = touching->motion;
     memcpy(touching->reference, skin->body->x, (size_t)skin->body->count * sizeof(real4));
 }
@@ -217,6 +190,14 @@ static double reach_max(const Contacts* contacts) {
     return reach;
 }
 
+static void reserve_near(PairList* list) {
+    if (list->count <= list->near_capacity)
+        return;
+    free(list->near_from);
+    list->near_capacity = list->capacity;
+    list->near_from = new_array(double, list->capacity);
+}
+
 static void make_list(Contacts* contacts, int a, int b, double longest) {
     SkinPairs* pairs = &contacts->skin_pairs;
     PairList* list = list_of(contacts, a, b);
@@ -229,12 +210,17 @@ static void make_list(Contacts* contacts, int a, int b, double longest) {
     pairs->count -= list->count;
     list->count = 0;
     list->valid = true;
-    list->from[0] = pairs->skin[a].motion;
-    list->from[1] = pairs->skin[b].motion;
+    list->from[0] = *skin_motion_measure(contacts, a, 0);
+    list->from[1] = *skin_motion_measure(contacts, b, 0);
     list->clearance = fmax(margin, apart - gap);
+    list->moved = 0;
+    list->holds_until = list->clearance;
     if (apart <= gap + margin)
         skin_pairs_find(contacts, a, b, gap + margin);
     pairs->count += list->count;
+    reserve_near(list);
+    for (int k = 0; k < list->count; k++)
+        list->near_from[k] = list->pair[k].distance - list->pair[k].rest_gap;
 }
 
 /// At the start, and now and then of those that did: whether they cross.
@@ -260,43 +246,54 @@ void skin_pairs_update(Contacts* contacts, double h) {
     if (!pairs->skin)
         open_pairs(contacts);
     const double longest = reach_max(contacts);
+    forget_motions(contacts);
     look_for_crossed(contacts, longest);
-    measure_motion(contacts, forecast * h);
+    skin_motion_measure_velocities(contacts);
     bool* made = pairs->made;
-    bool any = false;
     for (int a = 0; a < contacts->skin_count; a++)
         for (int b = a; b < contacts->skin_count; b++)
-            any |= made[a * contacts->skin_count + b] =
-                skin_pairs_may_touch(contacts, a, b) && !holds(contacts, a, b);
-    if (!any)
-        return;
-    measure_motion(contacts, 0);
+            made[a * contacts->skin_count + b] =
+                skin_pairs_may_touch(contacts, a, b) && !holds_longer(contacts, a, b, forecast * h);
     for (int a = 0; a < contacts->skin_count; a++)
         for (int b = a; b < contacts->skin_count; b++)
             if (made[a * contacts->skin_count + b])
                 make_list(contacts, a, b, longest);
 }
 
-void skin_pairs_each(Contacts* contacts, PairVisit* visit, void* self) {
-    if (contacts->skin_pairs.count == 0)
-        return;
-    for (int l = 0; l < contacts->skin_count * contacts->skin_count; l++) {
-        const PairList* list = &contacts->skin_pairs.list[l];
-        for (int k = 0; k < list->count; k++)
-            visit(contacts, &list->pair[k], self);
-    }
+/// Measure a pair where it is now.
+static void measure(const Contacts* contacts, PairList* list, int k) {
+    FeaturePair* pair = &list->pair[k];
+    double4 x[FEATURE_NODES], away = {0};
+    for (int n = 0; n < FEATURE_NODES; n++)
+        x[n] = to_double4(contacts->skin[pair->skin[n >= (int)pair->kind]].body->x[pair->node[n]]);
+    pair->distance = feature_distance(pair->kind, x, pair->weight);
+    for (int n = 1; n < FEATURE_NODES; n++) // the weights sum to 0
+        away += pair->weight[n] * (x[n] - x[0]);
+    pair->normal = away / dlength(away);
+    pair->measured = contacts->skin_pairs.drifts;
+    list->near_from[k] = list->moved + pair->distance - pair->rest_gap;
 }
 
-// ---- pairs ----
-
-void skin_pairs_look(const Contacts* contacts, FeaturePair* pair) {
-    double4 x[FEATURE_NODES], away = {0};
-    for (int k = 0; k < FEATURE_NODES; k++)
-        x[k] = to_double4(contacts->skin[pair->skin[k >= (int)pair->kind]].body->x[pair->node[k]]);
-    pair->distance = feature_distance(pair->kind, x, pair->weight);
-    for (int k = 1; k < FEATURE_NODES; k++) // the weights sum to 0
-        away += pair->weight[k] * (x[k] - x[0]);
-    pair->normal = away / dlength(away);
+void skin_pairs_each_near(Contacts* contacts, double h, double share, PairVisit* visit,
+                          void* self) {
+    if (contacts->skin_pairs.count == 0)
+        return;
+    skin_motion_measure_velocities(contacts);
+    for (int a = 0; a < contacts->skin_count; a++)
+        for (int b = a; b < contacts->skin_count; b++) {
+            PairList* list = list_of(contacts, a, b);
+            if (contacts->skin[a].body->asleep && contacts->skin[b].body->asleep)
+                continue;
+            const double until = list->moved + skin_motion_relative(contacts, a, b, h) +
+                                 share * skin_pairs_rest_gap(contacts, a, b);
+            for (int k = 0; k < list->count; k++) {
+                if (list->near_from[k] > until)
+                    continue;
+                if (list->pair[k].measured != contacts->skin_pairs.drifts)
+                    measure(contacts, list, k);
+                visit(contacts, &list->pair[k], self);
+            }
+        }
 }
 
 double skin_pairs_safe_part(const Contacts* contacts, const FeaturePair* pair, double h) {
@@ -329,8 +326,10 @@ void skin_pairs_forget(Contacts* contacts) {
 
 void skin_pairs_close(Contacts* contacts) {
     SkinPairs* pairs = &contacts->skin_pairs;
-    for (int l = 0; pairs->list && l < contacts->skin_count * contacts->skin_count; l++)
+    for (int l = 0; pairs->list && l < contacts->skin_count * contacts->skin_count; l++) {
         free(pairs->list[l].pair);
+        free(pairs->list[l].near_from);
+    }
     for (int b = 0; pairs->skin && b < contacts->skin_count; b++)
         free(pairs->skin[b].reference);
     free(pairs->list);

@@ -12,30 +12,9 @@
 #define BALLOON_CONTACT_SKINS_SKIN_PAIRS_H
 
 #include "contact/skins/feature_pair.h"
+#include "contact/skins/skin_motion.h"
 
 struct Contacts;
-
-/// Motion of a skin since the start, as bounds that grow. Lists remember where they began.
-///
-/// From x to x' = x + shift + d with |d| <= path; and also x' = c + A (x - c) + shift + d with
-/// |d| <= residual, where A stretches each axis by `stretch` or more, at most 1. Two points of one
-/// skin that were r apart are thus at least stretch r - 2 residual apart.
-typedef struct SkinMotion {
-    double4 shift;   ///< [m]
-    double path;     ///< [m]
-    double stretch;  ///< [1]
-    double residual; ///< [m]
-} SkinMotion;
-
-/// What contacts between skins need of one skin.
-typedef struct TouchingSkin {
-    double rest_gap; ///< from a skin like itself [m]
-    double scale;    ///< mean length of an edge at the start [m]
-    bool fitted;     ///< its boxes and its reference are of now
-    SkinMotion motion;
-    real4* reference;            ///< [count] positions when a list of it was last made [m]
-    SkinMotion reference_motion; ///< the motion up to then
-} TouchingSkin;
 
 /// The pairs of two skins, or of one.
 typedef struct PairList {
@@ -43,13 +22,17 @@ typedef struct PairList {
     bool valid;
     double clearance;   ///< relative motion that the list allows [m]
     SkinMotion from[2]; ///< motion of the skins when it was made
-    int count, capacity;
+    double moved;       ///< bound on the relative motion of any of their points since then [m]
+    double holds_until; ///< the list surely holds up to this value of `moved`
+    int count, capacity, near_capacity;
     FeaturePair* pair; ///< [capacity] in rising order of kinds and features
+    double* near_from; ///< [near_capacity] a pair is not within its rest gap below this `moved`
 } PairList;
 
 typedef struct SkinPairs {
     bool begun;         ///< those that began crossed are known
     int updates;        ///< so far
+    int64_t drifts;     ///< so far
     TouchingSkin* skin; ///< [skins]; NULL before the first lists
     PairList* list;     ///< [skins][skins] the second number not less than the first
     bool* made;         ///< [skins][skins] lists to make anew
@@ -69,22 +52,22 @@ void skin_pairs_find(struct Contacts* contacts, int a, int b, double reach);
 /// Whether triangles of the two cross now; the boxes must be of now.
 bool skin_pairs_cross(struct Contacts* contacts, int a, int b);
 
-/// Call for each pair of all lists, in their order.
+/// Call for each pair that may come within (1 + share) rest gaps in a drift of length h at the present
+/// velocities, in the order of the lists. The pair's distance, normal and weights are of now. Those
+/// whose distance when last measured, less the motion since, rules that out are not looked at.
 typedef void PairVisit(struct Contacts* contacts, FeaturePair* pair, void* self);
-void skin_pairs_each(struct Contacts* contacts, PairVisit* visit, void* self);
+void skin_pairs_each_near(struct Contacts* contacts, double h, double share, PairVisit* visit,
+                          void* self);
 
-/// Distance, normal and weights of a pair where it is now.
-void skin_pairs_look(const struct Contacts* contacts, FeaturePair* pair);
-
-/// Part of a drift of length h that is safe for a pair since its last look, 0 … 1. Displacements are
-/// those that the state's precision rounds to.
+/// Part of a drift of length h that is safe for a pair that was measured where it is now, 0 … 1.
+/// Displacements are those that the state's precision rounds to.
 double skin_pairs_safe_part(const struct Contacts* contacts, const FeaturePair* pair, double h);
 
 /// How much of h may be drifted at the present velocities before a list must be made again [s].
 double skin_pairs_limit(struct Contacts* contacts, double h);
 
-/// The skins have moved.
-void skin_pairs_moved(struct Contacts* contacts);
+/// The skins are about to drift by h, at the velocities of the last limit.
+void skin_pairs_moved(struct Contacts* contacts, double h);
 
 /// The rest gap of two skins [m].
 double skin_pairs_rest_gap(const struct Contacts* contacts, int a, int b);

@@ -25,8 +25,9 @@ bool skin_pairs_cross(Contacts* contacts, int a, int b) {
 typedef struct Search {
     Contacts* contacts;
     PairList* list;
-    double gap;   ///< rest gap of the two skins [m]
-    double reach; ///< [m]
+    double gap;         ///< rest gap of the two skins [m]
+    double reach;       ///< [m]
+    real rounded_reach; ///< a little more, so that differences of coordinates may be rounded [m]
 } Search;
 
 /// Distance that the two have in the skin's rest shape: neighbours may be nearer than a rest gap.
@@ -38,17 +39,20 @@ static double rest_distance(const Body* body, const FeaturePair* pair) {
     return feature_distance(pair->kind, x, weight);
 }
 
+/// Positions of the nodes, as they are stored.
+static void positions(const Contacts* contacts, const FeaturePair* pair, real4 x[FEATURE_NODES]) {
+    for (int k = 0; k < FEATURE_NODES; k++)
+        x[k] = contacts->skin[pair->skin[k >= (int)pair->kind]].body->x[pair->node[k]];
+}
+
 /// Whether the boxes of the two sides are farther apart than the reach along an axis.
-static bool boxes_apart(FeatureKind kind, const double4 x[FEATURE_NODES], double reach) {
+static bool boxes_apart(FeatureKind kind, const real4 x[FEATURE_NODES], real reach) {
+    const bool vertex = kind == VERTEX_TRIANGLE;
     for (int axis = 0; axis < 3; axis++) {
-        double low[2] = {x[0][axis], x[3][axis]}, high[2] = {x[0][axis], x[3][axis]};
-        for (int k = 1; k < 3; k++) {
-            const int side = k >= (int)kind;
-            const double at = x[k][axis];
-            low[side] = at < low[side] ? at : low[side];
-            high[side] = at > high[side] ? at : high[side];
-        }
-        if (low[0] - high[1] > reach || low[1] - high[0] > reach)
+        const real p = x[0][axis], q = x[1][axis], r = x[2][axis], s = x[3][axis];
+        const real first = vertex ? p : q, second = vertex ? q : r; // a corner of each side
+        if (real_max(p, first) < real_min(real_min(second, r), s) - reach ||
+            real_min(p, first) > real_max(real_max(second, r), s) + reach)
             return true;
     }
     return false;
@@ -56,14 +60,17 @@ static bool boxes_apart(FeatureKind kind, const double4 x[FEATURE_NODES], double
 
 static void add(Search* search, FeaturePair* candidate) {
     Contacts* contacts = search->contacts;
-    double4 x[FEATURE_NODES];
-    double weight[FEATURE_NODES];
-    for (int k = 0; k < FEATURE_NODES; k++)
-        x[k] = to_double4(
-            contacts->skin[candidate->skin[k >= (int)candidate->kind]].body->x[candidate->node[k]]);
-    if (boxes_apart(candidate->kind, x, search->reach) ||
-        !(feature_distance(candidate->kind, x, weight) <= search->reach))
+    real4 stored[FEATURE_NODES];
+    positions(contacts, candidate, stored);
+    if (boxes_apart(candidate->kind, stored, search->rounded_reach))
         return;
+    double4 x[FEATURE_NODES];
+    for (int k = 0; k < FEATURE_NODES; k++)
+        x[k] = to_double4(stored[k]);
+    candidate->distance = feature_distance(candidate->kind, x, candidate->weight);
+    if (!(candidate->distance <= search->reach))
+        return;
+    candidate->measured = NONE;
     candidate->rest_gap = search->gap;
     if (candidate->skin[0] == candidate->skin[1])
         candidate->rest_gap =
@@ -114,7 +121,8 @@ static int compare(const void* p, const void* q) {
 
 void skin_pairs_find(Contacts* contacts, int a, int b, double reach) {
     PairList* list = &contacts->skin_pairs.list[a * contacts->skin_count + b];
-    Search search = {contacts, list, skin_pairs_rest_gap(contacts, a, b), reach};
+    Search search = {contacts, list, skin_pairs_rest_gap(contacts, a, b), reach,
+                     (real)(1.01 * reach)};
     const int(*near)[2];
     const int count = bullet_skin_near_triangles(contacts->skin[a].patches,
                                                  contacts->skin[b].patches, reach, &near);
