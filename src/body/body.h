@@ -41,7 +41,7 @@ typedef struct Body {
 
     double gravity; ///< [m/s^2] downward, 0: none
     Springs springs;
-    Slices slices; ///< neighbourhoods, of a skin of springs or one that is blown up
+    Slices slices; ///< neighborhoods, of a skin of springs or one that is blown up
     Torsion torsion;
     Membrane membrane;
     Inflation inflation;

@@ -68,7 +68,7 @@ static void make_lanes(Membrane* membrane) {
     }
 }
 
-/// Whether of so many equal parts none but neighbours have a particle in common. Elements are in
+/// Whether of so many equal parts none but neighbors have a particle in common. Elements are in
 /// the order of their first particle, so it is enough to look two parts ahead.
 static bool are_apart(const Membrane* membrane, int parts) {
     uint32_t end[2] = {0, 0}; // past the particles of the last two parts
@@ -89,9 +89,9 @@ static bool are_apart(const Membrane* membrane, int parts) {
 }
 
 static void divide(Membrane* membrane) {
-    enum { EIGHTS_LEAST = 32 };
-    membrane->parts = MEMBRANE_PARTS_MOST;
-    while (membrane->parts > 1 && (membrane->eights < membrane->parts * EIGHTS_LEAST ||
+    enum { MIN_EIGHTS = 32 };
+    membrane->parts = MEMBRANE_MAX_PARTS;
+    while (membrane->parts > 1 && (membrane->eights < membrane->parts * MIN_EIGHTS ||
                                    !are_apart(membrane, membrane->parts)))
         membrane->parts /= 2;
 }

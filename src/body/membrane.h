@@ -42,7 +42,7 @@ typedef struct Rubber {
     VolumeRule rule;
 } Rubber;
 
-enum { MEMBRANE_PARTS_MOST = 64 };
+enum { MEMBRANE_MAX_PARTS = 64 };
 
 typedef struct Membrane {
     Rubber rubber;
@@ -58,7 +58,7 @@ typedef struct Membrane {
 
     // the same, eight elements side by side; what is over has no rubber
     int eights; ///< how many eights there are
-    int parts;  ///< equal parts of them, of which none but neighbours share a particle
+    int parts;  ///< equal parts of them, of which none but neighbors share a particle
     uint32_t (
         *lane_corner)[3][LANES]; ///< [eights] particles, in bytes from the start of a real4 array
     real (*lane_rest)[4][LANES]; ///< [eights] r0 … r3

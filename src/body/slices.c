@@ -8,7 +8,7 @@
 
 /// A neighbor, and the particle's end of its spring to it.
 typedef struct Slot {
-    int neighbour, end;
+    int neighbor, end;
 } Slot;
 
 /// The input of slices_make, and the slots of the particle at hand.
@@ -17,14 +17,13 @@ typedef struct Maker {
     const Springs* springs;
     int* spring_from; ///< [count + 1] where a particle's springs begin in `spring`
     int* spring;      ///< 2 s + k for its end k of spring s
-    int* met;         ///< [count] the particle's end of its spring to a neighbour, or NONE
-    int (
-        *beside)[2]; ///< [count] the particle's faces whose b, and whose d, is a neighbour, or NONE
-    int faces;       ///< pairs of slots in the particle's ring
+    int* met;         ///< [count] the particle's end of its spring to a neighbor, or NONE
+    int (*beside)[2]; ///< [count] the particle's faces whose b, and whose d, is a neighbor, or NONE
+    int faces;        ///< pairs of slots in the particle's ring
     int slots;
-    int* neighbour; ///< [slots]
-    int* end;       ///< [slots] as in `spring`, or NONE
-    Slot* slot;     ///< [slots] those that are sorted
+    int* neighbor; ///< [slots]
+    int* end;      ///< [slots] as in `spring`, or NONE
+    Slot* slot;    ///< [slots] those that are sorted
 } Maker;
 
 /// Corners of a face around point a: b after it, c across, d before.
@@ -49,7 +48,7 @@ static bool is_lowest(int a, Corners corners) {
     return a < corners.b && a < corners.c && a < corners.d;
 }
 
-/// Enter the faces of a point at its neighbours, so that a walk around it takes linear time at any
+/// Enter the faces of a point at its neighbors, so that a walk around it takes linear time at any
 /// valence; or take them out again.
 static void enter_faces(Maker* maker, int a, bool in) {
     const Mesh* mesh = maker->mesh;
@@ -101,26 +100,26 @@ static int find_ring(Maker* maker, int a, int (*ring)[2]) {
     return faces + 1;
 }
 
-static void put(Maker* maker, int neighbour) {
-    maker->neighbour[maker->slots] = neighbour;
-    maker->end[maker->slots++] = maker->met[neighbour];
-    maker->met[neighbour] = NONE; // a neighbour that comes twice has its spring once
+static void put(Maker* maker, int neighbor) {
+    maker->neighbor[maker->slots] = neighbor;
+    maker->end[maker->slots++] = maker->met[neighbor];
+    maker->met[neighbor] = NONE; // a neighbor that comes twice has its spring once
 }
 
-static int by_neighbour(const void* a, const void* b) {
-    const int i = ((const Slot*)a)->neighbour, j = ((const Slot*)b)->neighbour;
+static int by_neighbor(const void* a, const void* b) {
+    const int i = ((const Slot*)a)->neighbor, j = ((const Slot*)b)->neighbor;
     return (i > j) - (i < j);
 }
 
-/// Slots beside the ring, by the numbers of their neighbours: then they are in the same directions
+/// Slots beside the ring, by the numbers of their neighbors: then they are in the same directions
 /// all along a front.
 static void sort_remaining(Maker* maker) {
     const int from = 2 * maker->faces, count = maker->slots - from;
     for (int k = 0; k < count; k++)
-        maker->slot[k] = (Slot){maker->neighbour[from + k], maker->end[from + k]};
-    qsort(maker->slot, (size_t)count, sizeof *maker->slot, by_neighbour);
+        maker->slot[k] = (Slot){maker->neighbor[from + k], maker->end[from + k]};
+    qsort(maker->slot, (size_t)count, sizeof *maker->slot, by_neighbor);
     for (int k = 0; k < count; k++) {
-        maker->neighbour[from + k] = maker->slot[k].neighbour;
+        maker->neighbor[from + k] = maker->slot[k].neighbor;
         maker->end[from + k] = maker->slot[k].end;
     }
 }
@@ -142,17 +141,17 @@ static void make_lane(Maker* maker, int particle, int (*ring)[2]) {
             put(maker, ring[k / 2][k % 2]);
     }
     for (int k = from; k < to; k++) {
-        const int end = maker->spring[k], neighbour = springs->end[end / 2][1 - end % 2];
-        if (maker->met[neighbour] == end)
-            put(maker, neighbour);
+        const int end = maker->spring[k], neighbor = springs->end[end / 2][1 - end % 2];
+        if (maker->met[neighbor] == end)
+            put(maker, neighbor);
     }
     sort_remaining(maker);
 }
 
 /// Is face k of the maker's particle counted there?
 static bool is_counted(const Maker* maker, int particle, int k) {
-    const int* at = &maker->neighbour[2 * k];
-    const int next = k + 1 < maker->faces ? at[2] : maker->neighbour[0];
+    const int* at = &maker->neighbor[2 * k];
+    const int next = k + 1 < maker->faces ? at[2] : maker->neighbor[0];
     return is_lowest(particle, (Corners){at[0], at[1], next});
 }
 
@@ -182,8 +181,8 @@ static void copy_lane(Slices* slices, const Maker* maker, int particle) {
     for (int k = 0; k < slots; k++) {
         const int own = k < rings ? (k < ring ? k : NONE) : k - rings + ring;
         const bool is = own != NONE && own < maker->slots;
-        const int neighbour = is ? maker->neighbour[own] : ring ? maker->neighbour[0] : particle;
-        slices->offset[from + k][lane] = (uint32_t)((size_t)neighbour * sizeof(real4));
+        const int neighbor = is ? maker->neighbor[own] : ring ? maker->neighbor[0] : particle;
+        slices->offset[from + k][lane] = (uint32_t)((size_t)neighbor * sizeof(real4));
         if (!is || maker->end[own] == NONE)
             continue;
         const int end = maker->end[own];
@@ -234,7 +233,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
         max += max_difference(maker.spring_from, count);
         slices->spring = new_array(int[2], springs->count);
     }
-    maker.neighbour = new_array(int, max);
+    maker.neighbor = new_array(int, max);
     maker.end = new_array(int, max);
     maker.slot = new_array(Slot, max);
 
@@ -259,7 +258,7 @@ void slices_make(Slices* slices, int count, const Mesh* mesh, const Springs* spr
     free(maker.beside);
     free(maker.spring_from);
     free(maker.spring);
-    free(maker.neighbour);
+    free(maker.neighbor);
     free(maker.end);
     free(maker.slot);
 }

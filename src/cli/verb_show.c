@@ -79,7 +79,7 @@ bool verb_play(const Options* options, Fault* fault) {
         return show_pair(options, true, NULL, fault);
     if (!cli_open_advice(options, &advise, fault))
         return false;
-    const bool kept = advise_is_kept(&advise);
+    const bool kept = advise_is_cached(&advise);
     const bool good = show_pair(options, true, kept ? NULL : &later, fault);
     advise_later_close(&later);
     return good;

@@ -11,12 +11,12 @@ static int rising(const void* a, const void* b) {
 
 /// Sort the columns of a row, drop repetitions and the diagonal. Returns the remaining number.
 static int settle_row(int row, int* column, int count) {
-    int kept = 0;
+    int unique = 0;
     qsort(column, (size_t)count, sizeof *column, rising);
     for (int k = 0; k < count; k++)
-        if (column[k] != row && (kept == 0 || column[k] != column[kept - 1]))
-            column[kept++] = column[k];
-    return kept;
+        if (column[k] != row && (unique == 0 || column[k] != column[unique - 1]))
+            column[unique++] = column[k];
+    return unique;
 }
 
 void block_matrix_make(BlockMatrix* matrix, int count, const int (*pair)[2], int pairs) {

@@ -1,4 +1,4 @@
-/// Drag takes energy out and has none of its own.
+/// Drag dissipates energy and has no potential.
 #include "force/damping.h"
 
 #include <math.h>

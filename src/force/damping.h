@@ -2,7 +2,7 @@
 ///
 ///     d_i = coefficient + rate m_i                                                  [kg/s]
 ///
-/// of which a scene gives one of the two parameters.
+/// A scene sets one of the two parameters.
 #ifndef BALLOON_FORCE_DAMPING_H
 #define BALLOON_FORCE_DAMPING_H
 

@@ -45,17 +45,17 @@ static void take(Body* body, SweepSums sums) {
 
 void force_push(Body* body, double h) {
     bool here[FORCES];
-    unsigned wanted = 0;
+    unsigned flags = 0;
     for (int k = 0; k < force_count; k++) {
         here[k] = force_table[k]->present(body);
         if (here[k] && force_table[k]->sweep)
-            wanted |= force_table[k]->sweep(body);
+            flags |= force_table[k]->sweep(body);
     }
-    if (wanted)
-        wanted |= SWEEP_CLEAR;
+    if (flags)
+        flags |= SWEEP_CLEAR;
     else
         memset(body->f, 0, (size_t)body->count * sizeof *body->f);
-    take(body, sweep(body, wanted));
+    take(body, sweep(body, flags));
 
     Uniform uniform = {.pressure = 0};
     for (int k = 0; k < force_count; k++) {

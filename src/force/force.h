@@ -10,32 +10,32 @@
 #include "force/block_matrix.h"
 #include "force/uniform.h"
 
-/// Groups of particles whose forces depend on each other's positions: elements, springs, faces.
+/// Stencils: groups of particles whose forces depend on each other's positions, such as elements,
+/// springs, faces.
 typedef struct Stencils {
     int count;
-    int corners;         ///< particles in a group, 4 at most
-    const int* particle; ///< [count][corners], NONE for a corner that is not there
+    int corners;         ///< particles of a stencil, at most 4
+    const int* particle; ///< [count][corners], NONE for a missing corner
 } Stencils;
 
 typedef struct Force {
     const char* name;
     const char* about; ///< one line with the equation, for `balloon list` and the README
 
-    /// Numbers that a scene gives as balloons.N.NAME.PARAMETER; their values are in
-    /// body->force_parameter of the row. A default is 0, with which the parameter does nothing.
+    /// Numbers that a scene sets as balloons.N.NAME.PARAMETER; their values are in
+    /// body->force_parameter of the row. Defaults are 0, the value without effect.
     const Parameter* parameters;
     int parameter_count; ///< FORCE_PARAMETERS_MAX at most
-    bool exclusive;      ///< a scene gives exactly one of them; the others are 0
+    bool exclusive;      ///< a scene sets exactly one of them; the others are 0
 
     /// Whether this body has this force now.
     bool (*present)(const Body* body);
 
-    /// A row computes its force in up to three ways, whose results add up. First, sums that the
-    /// shared pass over the particles' neighbors computes for it (sweep.h):
+    /// A row computes its force in up to three ways, whose results are added. First, by the shared pass
+    /// over the particles' neighbors: returns the flags of the sums that it needs (sweep.h).
     unsigned (*sweep)(const Body* body);
 
-    /// Second, after that pass, its share of the force that acts on all particles by one law
-    /// (uniform.h).
+    /// Second, after that pass, by its terms of the uniform forces (uniform.h).
     void (*uniform)(const Body* body, Uniform* uniform);
 
     /// Third, a loop of its own that adds to body->f [N].
@@ -52,13 +52,13 @@ typedef struct Force {
     /// The tangent, for implicit methods, is K = -df/dx at the present positions [N/m]; tangent.h
     /// assembles it. A force that does not depend on positions has none of these.
 
-    /// Groups of particles that K couples; they never change. NULL: K is diagonal in particles.
+    /// Stencils of K; they never change. NULL: K couples no two particles.
     Stencils (*stencils)(const Body* body);
 
-    /// Add factor K to the matrix, block by block: slot[s][i][j] is where the block of corners i
-    /// and j of stencil s is. `project` replaces each stencil's matrix by its positive semidefinite
+    /// Add factor K to the matrix: block_at[s][i][j] is the index of the block of corners i and j of
+    /// stencil s. `project` replaces each stencil's matrix by its positive semidefinite
     /// part. NULL: K is in `product` alone.
-    void (*assemble)(const Body* body, double factor, bool project, const int* slot,
+    void (*assemble)(const Body* body, double factor, bool project, const int* block_at,
                      BlockMatrix* matrix);
 
     /// out += factor K d, for the dense part of K. NULL: there is none.
@@ -68,11 +68,11 @@ typedef struct Force {
     /// positions themselves.
     void (*update_tangent)(Body* body, bool project);
 
-    /// Its energy is stored in the skin or its tethers, and counts in the output `elastic`.
+    /// Its energy is stored in the skin or its strings, and counts in the output `elastic`.
     bool elastic;
 
-    /// Its stiffness grows without limit as an element is compressed: a bound on the step may fall by
-    /// any factor between two looks at it.
+    /// Its stiffness grows without limit as an element is compressed: the bound on the step may fall by
+    /// any factor between two checks.
     bool stiffens;
 
     /// It acts from outside. Total force and torque of every other row vanish on a free balloon,

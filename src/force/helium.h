@@ -2,7 +2,7 @@
 ///
 ///     a = base + per_inflation * amount                                             [m/s^2]
 ///
-/// of every particle, with the present amount of inflation (body/gas.h).
+/// of every particle, with the present amount of gas (body/gas.h).
 #ifndef BALLOON_FORCE_HELIUM_H
 #define BALLOON_FORCE_HELIUM_H
 

@@ -5,7 +5,7 @@
 #include "force/sweep.h"
 #include "mesh/measure.h"
 
-/// The paper's factor from k_normal to force [1].
+/// The mass-spring paper's factor from k_normal to force [1].
 static const double area_factor = 100;
 
 static double pressure_of(const Inflation* inflation, double area, double volume) {
@@ -55,14 +55,14 @@ static double energy(const Body* body) {
 /// d(p dV/dx)/dx = p d2V/dx2 + dV/dx (dp/dx)^T: a bound on each term, divided by the masses.
 static double bound(const Body* body) {
     const Inflation* inflation = &body->inflation;
-    const SweepSteep steep = sweep_steep(body);
-    const SweepSums sums = steep.sums;
+    const SweepBounds bounds = sweep_bounds(body);
+    const SweepSums sums = bounds.sums;
     const double p = pressure_of(inflation, sums.area, sums.volume);
-    const double stiff = fabs(p) * steep.second;
+    const double stiff = fabs(p) * bounds.second;
     if (inflation->law == INFLATE_AREA)
-        return stiff + fabs(p) / sums.area * sqrt(steep.area2 * steep.volume2);
+        return stiff + fabs(p) / sums.area * sqrt(bounds.area2 * bounds.volume2);
     if (inflation->law == INFLATE_GAS)
-        return stiff - gas_slope(inflation, sums.volume) * steep.volume2;
+        return stiff - gas_slope(inflation, sums.volume) * bounds.volume2;
     return stiff;
 }
 
@@ -87,8 +87,8 @@ static inline void add_block(Block* value, const Block* block) {
 }
 
 /// Add a block at corners (i, j), and its negative at (j, i).
-static inline void add_pair(Block* value, const int* slot, int i, int j, const Block* block) {
-    Block *there = &value[slot[4 * i + j]], *across = &value[slot[4 * j + i]];
+static inline void add_pair(Block* value, const int* block_at, int i, int j, const Block* block) {
+    Block *there = &value[block_at[4 * i + j]], *across = &value[block_at[4 * j + i]];
     for (int c = 0; c < 3; c++) {
         there->column[c] += block->column[c];
         across->column[c] -= block->column[c];
@@ -103,68 +103,69 @@ static inline void add_pair(Block* value, const int* slot, int i, int j, const B
 ///
 /// In this form the block at (b, a) is the negative of the one at (a, b), and the blocks at (a, a)
 /// cancel in the sum over the faces around a.
-static void assemble_triangle(const real4 x[3], real factor, const int* slot, Block* value) {
+static void assemble_triangle(const real4 x[3], real factor, const int* block_at, Block* value) {
     for (int a = 0; a < 3; a++) {
         const int b = (a + 1) % 3, c = (a + 2) % 3;
         const Block along = crossed(factor / 12, (x[a] - x[c]) + (x[b] - x[c]));
-        add_pair(value, slot, b, a, &along);
+        add_pair(value, block_at, b, a, &along);
     }
 }
 
 /// A quad of a closed skin: the mean of its two triangulations. Along an edge, as above, with
 /// (a + b - c - d) / 12; across the diagonal, dV/dc changes by d x (b - d) / 12 when a moves by d.
-static void assemble_quad(const real4 x[4], real factor, const int* slot, Block* value) {
+static void assemble_quad(const real4 x[4], real factor, const int* block_at, Block* value) {
     const real4 ac = x[0] - x[2], bd = x[1] - x[3];
     const Block along = crossed(factor / 12, ac + bd), aside = crossed(factor / 12, bd - ac);
     const Block by_b = crossed(factor / 12, bd), by_a = crossed(factor / 12, ac);
-    add_pair(value, slot, 1, 0, &along); // a + b - c - d
-    add_pair(value, slot, 2, 3, &along);
-    add_pair(value, slot, 2, 1, &aside); // b + c - d - a
-    add_pair(value, slot, 3, 0, &aside);
-    add_pair(value, slot, 2, 0, &by_b);
-    add_pair(value, slot, 1, 3, &by_a);
+    add_pair(value, block_at, 1, 0, &along); // a + b - c - d
+    add_pair(value, block_at, 2, 3, &along);
+    add_pair(value, block_at, 2, 1, &aside); // b + c - d - a
+    add_pair(value, block_at, 3, 0, &aside);
+    add_pair(value, block_at, 2, 0, &by_b);
+    add_pair(value, block_at, 1, 3, &by_a);
 }
 
 /// A triangle of an open skin: (b - a) x (c - a) / 6 at each corner, which changes by
 /// d x (b - c) / 6 when a moves by d.
-static void assemble_open_triangle(const real4 x[3], real factor, const int* slot, Block* value) {
+static void assemble_open_triangle(const real4 x[3], real factor, const int* block_at,
+                                   Block* value) {
     for (int a = 0; a < 3; a++) {
         const int b = (a + 1) % 3, c = (a + 2) % 3;
         const Block block = crossed(factor / 6, x[b] - x[c]);
-        add_block(&value[slot[4 * a + a]], &block);
-        add_block(&value[slot[4 * b + a]], &block);
-        add_block(&value[slot[4 * c + a]], &block);
+        add_block(&value[block_at[4 * a + a]], &block);
+        add_block(&value[block_at[4 * b + a]], &block);
+        add_block(&value[block_at[4 * c + a]], &block);
     }
 }
 
 /// A quad of an open skin: a quarter of its area vector (c - a) x (d - b) / 2 at each corner.
-static void assemble_open_quad(const real4 x[4], real factor, const int* slot, Block* value) {
+static void assemble_open_quad(const real4 x[4], real factor, const int* block_at, Block* value) {
     for (int a = 0; a < 4; a++) {
         const Block block = crossed(factor / 8, x[(a + 1) % 4] - x[(a + 3) % 4]);
         for (int k = 0; k < 4; k++)
-            add_block(&value[slot[4 * k + a]], &block);
+            add_block(&value[block_at[4 * k + a]], &block);
     }
 }
 
 /// -p d2V/dx2, face by face; for `area` inflation at the frozen pressure, as its energy. It is
 /// indefinite, so a projected tangent leaves it out.
-static void assemble(const Body* body, double factor, bool project, const int* slot,
+static void assemble(const Body* body, double factor, bool project, const int* block_at,
                      BlockMatrix* matrix) {
     if (project)
         return;
     const Mesh* mesh = body->mesh;
     Block* value = matrix->value;
     const real p = (real)(-factor * body->inflation.pressure);
-    for (int f = 0; f < mesh->face_count; f++, slot += 16) {
+    for (int f = 0; f < mesh->face_count; f++, block_at += 16) {
         const int* face = mesh->face[f];
         real4 x[4];
         for (int k = 0; k < face_corners(face); k++)
             x[k] = body->x[face[k]];
         const bool triangle = face[3] == NONE;
         if (mesh->closed)
-            (triangle ? assemble_triangle : assemble_quad)(x, p, slot, value);
+            (triangle ? assemble_triangle : assemble_quad)(x, p, block_at, value);
         else
-            (triangle ? assemble_open_triangle : assemble_open_quad)(x, p, slot, value);
+            (triangle ? assemble_open_triangle : assemble_open_quad)(x, p, block_at, value);
     }
 }
 

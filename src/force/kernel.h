@@ -10,14 +10,14 @@ typedef struct Kernels {
     /// coordinate[k][i] = x[i][k], particles from … to - 1, whole slices.
     void (*split)(const real4* x, int from, int to, real* const coordinate[3]);
 
-    /// sweep.h, over slices from … to - 1. gradient: NULL where it is not wanted.
-    SweepSums (*sweep)(const Slices* slices, int from, int to, const real4* x, unsigned wanted,
+    /// sweep.h, over slices from … to - 1. gradient: NULL without SWEEP_GRADIENT.
+    SweepSums (*sweep)(const Slices* slices, int from, int to, const real4* x, unsigned flags,
                        SpringLaw law, real4* f, real4* gradient);
 
-    SweepSteep (*steep)(const Slices* slices, int from, int to, const real4* x,
-                        const real* inverse_mass);
+    SweepBounds (*bounds)(const Slices* slices, int from, int to, const real4* x,
+                          const real* inverse_mass);
 
-    /// uniform.h, over particles from … to - 1: f += what acts on all; v += h f / m where h > 0.
+    /// uniform.h, over particles from … to - 1: f += the uniform forces; v += h f / m if h > 0.
     void (*uniform)(const Uniform* uniform, int from, int to, const real4* gradient,
                     const real* mass, const real* inverse_mass, real h, real4* v, real4* f);
 } Kernels;

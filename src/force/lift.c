@@ -14,8 +14,8 @@ static bool present(const Body* body) {
     return body->inflation.law == INFLATE_GAS && body->inflation.weighs && body->gravity != 0;
 }
 
-/// f = of_moment dM/dx + of_volume dV/dx, heights from a level near the skin, so that a far-away
-/// one loses no digits.
+/// f = of_moment dM/dx + of_volume dV/dx. Heights are measured from a level near the skin, so that a
+/// skin far from the origin loses no digits.
 typedef struct Lift {
     double level, volume, moment;
     double air, gas; ///< weights per volume, and of the gas in all [N/m^3], [N]
@@ -50,7 +50,7 @@ static double energy(const Body* body) {
            lift.gas * (lift.moment / lift.volume + lift.level);
 }
 
-/// The level moves with the skin; it is held still here, for the force does not depend on it.
+/// The level moves with the skin; it is constant here, because the force does not depend on it.
 static void product(const Body* body, double factor, const real4* d, real4* out) {
     Lift lift = lift_of(body);
     lift.of_moment *= factor, lift.of_volume *= factor, lift.gas *= factor;

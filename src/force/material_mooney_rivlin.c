@@ -1,6 +1,6 @@
 /// Mooney-Rivlin rubber, incompressible: W = C1 (I + 1/D - 3) + C2 (D + I/D - 3), E = 6 (C1 + C2).
-/// Stiffens at large stretch; above C2/C1 = 0.2144 a balloon has no pressure peak. Source: R. W.
-/// Ogden, Non-linear elastic deformations, 1984.
+/// It stiffens at large stretch; above C2/C1 = 0.2144 the pressure of a balloon has no maximum.
+/// Source: R. W. Ogden, Non-linear elastic deformations, 1984.
 #include "force/membrane_kernel.inc"
 
 static inline LanesLaw law(const real k[2], lanes t, lanes I, lanes D) {

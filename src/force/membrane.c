@@ -1,5 +1,5 @@
-/// The rubber skin: E = sum over elements of h0 A0 W(tr C, det C), body/membrane.h and the table of
-/// materials. On an undeformed skin no element pulls, and net force and torque always vanish.
+/// The rubber skin: E = sum over elements of h0 A0 W(tr C, det C); see body/membrane.h and the table of
+/// materials. The forces on an undeformed skin are zero; net force and torque vanish in every state.
 #include "base/crew.h"
 #include "force/force.h"
 #include "force/material.h"
@@ -8,7 +8,7 @@ static bool present(const Body* body) {
     return body->membrane.count > 0;
 }
 
-/// Arguments of the tasks: every second part, so that no two of them share a particle.
+/// Arguments of the tasks. Parts of one parity run at a time, because those share no particle.
 typedef struct Job {
     Body* body;
     int odd;
@@ -47,10 +47,10 @@ static double energy(const Body* body) {
     return sum;
 }
 
-/// Results of each part.
+/// The bound of each part.
 typedef struct Bounds {
     const Body* body;
-    double part[MEMBRANE_PARTS_MOST];
+    double part[MEMBRANE_MAX_PARTS];
 } Bounds;
 
 static void bound_part(void* self, int part) {
@@ -65,21 +65,21 @@ static void bound_part(void* self, int part) {
 static double bound(const Body* body) {
     Bounds bounds = {.body = body};
     crew_run(bound_part, &bounds, body->membrane.parts);
-    double most = 0;
+    double max = 0;
     for (int part = 0; part < body->membrane.parts; part++)
-        most = fmax(most, bounds.part[part]);
-    return most;
+        max = fmax(max, bounds.part[part]);
+    return max;
 }
 
 static Stencils stencils(const Body* body) {
     return (Stencils){body->membrane.count, 3, (const int*)body->membrane.corner};
 }
 
-static void assemble(const Body* body, double factor, bool project, const int* slot,
+static void assemble(const Body* body, double factor, bool project, const int* block_at,
                      BlockMatrix* matrix) {
     const Membrane* membrane = &body->membrane;
     material_loops(membrane->rubber.material)
-        ->assemble(membrane, body->x, (real)factor, project, slot, matrix->value);
+        ->assemble(membrane, body->x, (real)factor, project, block_at, matrix->value);
 }
 
 const Force force_membrane = {

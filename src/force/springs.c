@@ -67,7 +67,7 @@ static Stencils stencils(const Body* body) {
     return (Stencils){body->springs.count, 2, (const int*)body->springs.end};
 }
 
-static void assemble(const Body* body, double factor, bool project, const int* slot,
+static void assemble(const Body* body, double factor, bool project, const int* block_at,
                      BlockMatrix* matrix) {
     const Springs* springs = &body->springs;
     Block* restrict value = matrix->value;
@@ -85,10 +85,10 @@ static void assemble(const Body* body, double factor, bool project, const int* s
         for (int c = 0; c < 3; c++) {
             real4 column = ((real)factor * (k.along - k.across) * n[c]) * n;
             column[c] += (real)factor * k.across;
-            value[slot[4 * s]].column[c] += column;
-            value[slot[4 * s + 1]].column[c] -= column;
-            value[slot[4 * s + 2]].column[c] -= column;
-            value[slot[4 * s + 3]].column[c] += column;
+            value[block_at[4 * s]].column[c] += column;
+            value[block_at[4 * s + 1]].column[c] -= column;
+            value[block_at[4 * s + 2]].column[c] -= column;
+            value[block_at[4 * s + 3]].column[c] += column;
         }
     }
 }

@@ -48,9 +48,9 @@ static double bound(const Body* body) {
 
 /// A taut string has the tangent of a spring: k along it, tension / length across; a slack one has
 /// none.
-static void assemble(const Body* body, double factor, bool project, const int* slot,
+static void assemble(const Body* body, double factor, bool project, const int* block_at,
                      BlockMatrix* matrix) {
-    (void)project, (void)slot; // it only pulls, which is positive
+    (void)project, (void)block_at; // a string only pulls, so its tangent is positive semidefinite
     for (int k = 0; k < body->string_count; k++) {
         const String* s = &body->string[k];
         const real over = excess(body, s);

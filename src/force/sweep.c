@@ -8,7 +8,7 @@
 /// Arguments of the tasks of a sweep.
 typedef struct Job {
     const Body* body;
-    unsigned wanted;
+    unsigned flags;
 } Job;
 
 static int part_end(const Slices* slices, int part) {
@@ -26,21 +26,21 @@ static void sweep_part(void* self, int part) {
     const Job* job = self;
     const Body* body = job->body;
     const Slices* slices = &body->slices;
-    if (job->wanted & SWEEP_CLEAR && !(job->wanted & SWEEP_SPRINGS))
+    if (job->flags & SWEEP_CLEAR && !(job->flags & SWEEP_SPRINGS))
         memset(&body->f[part * PART_PARTICLES], 0,
                (size_t)(part_end(slices, part) * LANES - part * PART_PARTICLES) * sizeof(real4));
     const SweepSums sums =
-        kernels()->sweep(slices, part * PART_SLICES, part_end(slices, part), body->x, job->wanted,
+        kernels()->sweep(slices, part * PART_SLICES, part_end(slices, part), body->x, job->flags,
                          body->springs.law, body->f, body->inflation.gradient);
     slices->sum[part][0] = sums.area;
     slices->sum[part][1] = sums.volume;
 }
 
-SweepSums sweep(const Body* body, unsigned wanted) {
+SweepSums sweep(const Body* body, unsigned flags) {
     const Slices* slices = &body->slices;
-    const int parts = wanted ? parts_of(slices->count, PART_SLICES) : 0;
-    crew_run(split_part, &(Job){body, wanted}, parts);
-    crew_run(sweep_part, &(Job){body, wanted}, parts);
+    const int parts = flags ? parts_of(slices->count, PART_SLICES) : 0;
+    crew_run(split_part, &(Job){body, flags}, parts);
+    crew_run(sweep_part, &(Job){body, flags}, parts);
     SweepSums sums = {0};
     for (int part = 0; part < parts; part++) {
         sums.area += slices->sum[part][0];
@@ -49,29 +49,29 @@ SweepSums sweep(const Body* body, unsigned wanted) {
     return sums;
 }
 
-static void steep_part(void* self, int part) {
+static void bound_part(void* self, int part) {
     const Body* body = ((const Job*)self)->body;
     const Slices* slices = &body->slices;
-    const SweepSteep steep = kernels()->steep(slices, part * PART_SLICES, part_end(slices, part),
-                                              body->x, body->inverse_mass);
-    slices->sum[part][0] = steep.second;
-    slices->sum[part][1] = steep.area2;
-    slices->sum[part][2] = steep.volume2;
-    slices->sum[part][3] = steep.sums.area;
-    slices->sum[part][4] = steep.sums.volume;
+    const SweepBounds bounds = kernels()->bounds(slices, part * PART_SLICES, part_end(slices, part),
+                                                 body->x, body->inverse_mass);
+    slices->sum[part][0] = bounds.second;
+    slices->sum[part][1] = bounds.area2;
+    slices->sum[part][2] = bounds.volume2;
+    slices->sum[part][3] = bounds.sums.area;
+    slices->sum[part][4] = bounds.sums.volume;
 }
 
-SweepSteep sweep_steep(const Body* body) {
+SweepBounds sweep_bounds(const Body* body) {
     const Slices* slices = &body->slices;
     const int parts = parts_of(slices->count, PART_SLICES);
-    crew_run(steep_part, &(Job){.body = body}, parts);
-    SweepSteep steep = {0};
+    crew_run(bound_part, &(Job){.body = body}, parts);
+    SweepBounds bounds = {0};
     for (int part = 0; part < parts; part++) {
-        steep.second = fmax(steep.second, slices->sum[part][0]);
-        steep.area2 += slices->sum[part][1];
-        steep.volume2 += slices->sum[part][2];
-        steep.sums.area += slices->sum[part][3];
-        steep.sums.volume += slices->sum[part][4];
+        bounds.second = fmax(bounds.second, slices->sum[part][0]);
+        bounds.area2 += slices->sum[part][1];
+        bounds.volume2 += slices->sum[part][2];
+        bounds.sums.area += slices->sum[part][3];
+        bounds.sums.volume += slices->sum[part][4];
     }
-    return steep;
+    return bounds;
 }

@@ -1,7 +1,7 @@
 /// One pass over the particles' neighbors (body/slices.h), eight particles at a time, computes the
 /// sums that springs and pressure need:
 ///
-///     springs    f_a += sum over the neighbours of the pull along d              (force/springs.c)
+///     springs    f_a += sum over the neighbors of the pull along d              (force/springs.c)
 ///     gradient   dV/da = 1/12 sum over the ring of (c_k + b_k) x (b_(k+1) - b_k)
 ///     area       A = sum over particles and rings of |c_k x (b_(k+1) - b_k)| / 8, / 6 of triangles
 ///     volume     V = 1/3 sum over particles of a . dV/da, from an origin on the skin
@@ -21,24 +21,25 @@ enum {
     SWEEP_CLEAR = 16    ///< set body->f instead of adding to it
 };
 
-/// Sums over the particles, 0 where not wanted.
+/// Sums over the particles, 0 if not requested.
 typedef struct SweepSums {
     double area;   ///< [m^2]
     double volume; ///< [m^3]
 } SweepSums;
 
-SweepSums sweep(const Body* body, unsigned wanted);
+/// flags: the sums to compute, SWEEP_SPRINGS | ….
+SweepSums sweep(const Body* body, unsigned flags);
 
-/// Row sums of d2V/dx2, and squared norms of dA/dx and dV/dx, divided by the masses. Each entry of
-/// d2V/dx2 is at most the length of an edge or a diagonal, since the gradients are cross products
-/// of those.
-typedef struct SweepSteep {
+/// Bounds for the stiffness of a pressure: row sums of |d2V/dx2| (Gershgorin), and squared norms of
+/// dA/dx and dV/dx, divided by the masses. Each entry of d2V/dx2 is at most the length of an edge or a
+/// diagonal, because the gradients are cross products of these.
+typedef struct SweepBounds {
     double second;  ///< largest over particles a of sum over corners k |d2V / da dx_k| / m_a [m/kg]
     double area2;   ///< sum of |dA/da|^2 / m_a, its bound [m^2/kg]
     double volume2; ///< sum of |dV/da|^2 / m_a [m^4/kg]
     SweepSums sums; ///< area and volume
-} SweepSteep;
+} SweepBounds;
 
-SweepSteep sweep_steep(const Body* body);
+SweepBounds sweep_bounds(const Body* body);
 
 #endif

@@ -46,7 +46,7 @@ static ALWAYS Lanes3 positions_from(const Slices* s, size_t i) {
 }
 
 /// Vectors from the particles to their neighbors in a slot.
-static ALWAYS Lanes3 neighbours(const Part* p, int slot) {
+static ALWAYS Lanes3 neighbors(const Part* p, int slot) {
     const uint32_t* offset = &p->s->offset[slot][p->lane];
     const Lanes3 there = p->s->contiguous[slot] ? positions_from(p->s, offset[0] / sizeof(real4))
                                                 : lanes3_gather(p->x, offset);
@@ -55,13 +55,13 @@ static ALWAYS Lanes3 neighbours(const Part* p, int slot) {
 
 /// Visit `count` slots: returns f plus the forces of their springs, and stores the vectors to the
 /// neighbors in `at` if it is not NULL.
-static ALWAYS Lanes3 look_around(const Part* p, int slot, int count, unsigned wanted, SpringLaw law,
+static ALWAYS Lanes3 visit_slots(const Part* p, int slot, int count, unsigned flags, SpringLaw law,
                                  Lanes3 f, Lanes3* at) {
     for (int k = slot; k < slot + count; k++) {
-        const Lanes3 d = neighbours(p, k);
+        const Lanes3 d = neighbors(p, k);
         if (at)
             at[k - slot] = d;
-        if (wanted & SWEEP_SPRINGS)
+        if (flags & SWEEP_SPRINGS)
             f = lanes3_plus(f,
                             pull_of(law, d, &p->s->stiffness[k][p->lane], &p->s->rest[k][p->lane]));
     }
@@ -76,10 +76,10 @@ static ALWAYS Lanes3 two_areas(const Lanes3* b) {
 /// Add the faces' contributions to 12 dV/da [m^2]. at: b0 c0 b1 c1 ... and the b that closes the
 /// last one
 static ALWAYS Lanes3 gradient_of(const Part* p, int slot, int faces, const Lanes3* at,
-                                 unsigned wanted, Lanes3 sum) {
+                                 unsigned flags, Lanes3 sum) {
     for (int k = 0; k < 2 * faces; k += 2) {
         const Lanes3* b = &at[k];
-        if (wanted & SWEEP_OPEN) {
+        if (flags & SWEEP_OPEN) {
             const lane_mask triangle =
                 same_offset(&p->s->offset[slot + k][p->lane], &p->s->offset[slot + k + 1][p->lane]);
             const lanes share = lanes_select(triangle, 2 + none, (real)1.5 + none);
@@ -110,7 +110,7 @@ typedef struct Around {
 } Around;
 
 /// Visit the faces around particles, and the springs to their corners. Returns the next slot.
-static ALWAYS int go_round(const Part* p, unsigned wanted, SpringLaw law, Around* around) {
+static ALWAYS int visit_ring(const Part* p, unsigned flags, SpringLaw law, Around* around) {
     const Slices* s = p->s;
     const int faces = s->faces[p->slice], from = s->from[p->slice];
     const int counted = s->counted_from[p->slice];
@@ -118,14 +118,14 @@ static ALWAYS int go_round(const Part* p, unsigned wanted, SpringLaw law, Around
     Lanes3 at[2 * FACES + 1], first;
     for (int k = 0; k < faces; k += FACES) {
         const int slot = from + 2 * k, together = faces - k < FACES ? faces - k : FACES;
-        around->f = look_around(p, slot, 2 * together, wanted, law, around->f, at);
-        if (!(wanted & SWEEP_GRADIENT))
+        around->f = visit_slots(p, slot, 2 * together, flags, law, around->f, at);
+        if (!(flags & SWEEP_GRADIENT))
             continue;
         if (k == 0)
             first = at[0];
-        at[2 * together] = k + together < faces ? neighbours(p, slot + 2 * together) : first;
-        around->gradient = gradient_of(p, slot, together, at, wanted, around->gradient);
-        if (wanted & SWEEP_AREA)
+        at[2 * together] = k + together < faces ? neighbors(p, slot + 2 * together) : first;
+        around->gradient = gradient_of(p, slot, together, at, flags, around->gradient);
+        if (flags & SWEEP_AREA)
             around->area = area_of(p, counted + k, count - k < together ? count - k : together, at,
                                    around->area);
     }
@@ -138,36 +138,36 @@ static ALWAYS double sum_of(double4 a) {
 }
 
 static ALWAYS SweepSums sweep_slices(const Slices* s, int from, int to, const real4* restrict x,
-                                     unsigned wanted, bool clear, SpringLaw law, real4* restrict f,
+                                     unsigned flags, bool clear, SpringLaw law, real4* restrict f,
                                      real4* restrict gradient) {
     double4 area = {0}, volume = {0};
     const Lanes3 origin = {x[0][0] + none, x[0][1] + none, x[0][2] + none};
     for (int i = from * LANES; i < to * LANES; i += WIDE) {
         const Part part = {s, i / LANES, lane_of(i), x, positions_from(s, (size_t)i)};
         Around around = {.area = {0}};
-        if (wanted & SWEEP_SPRINGS && !clear)
+        if (flags & SWEEP_SPRINGS && !clear)
             around.f = lanes3_load(&f[i]);
-        const int beside = go_round(&part, wanted, law, &around);
-        if (wanted & SWEEP_SPRINGS) {
-            const int left = s->from[part.slice + 1] - beside;
-            around.f = look_around(&part, beside, left, wanted, law, around.f, NULL);
+        const int beside = visit_ring(&part, flags, law, &around);
+        if (flags & SWEEP_SPRINGS) {
+            const int remaining = s->from[part.slice + 1] - beside;
+            around.f = visit_slots(&part, beside, remaining, flags, law, around.f, NULL);
             lanes3_store(&f[i], around.f);
         }
-        if (wanted & SWEEP_GRADIENT) {
+        if (flags & SWEEP_GRADIENT) {
             const Lanes3 g = lanes3_times((real)1 / 12 + none, around.gradient);
             lanes3_store(&gradient[i], g);
             lanes_sum(&area, around.area);
-            if (wanted & SWEEP_VOLUME)
+            if (flags & SWEEP_VOLUME)
                 lanes_sum(&volume, lanes3_dot(lanes3_minus(part.a, origin), g));
         }
     }
     return (SweepSums){sum_of(area) / 2, sum_of(volume) / 3};
 }
 
-#define SWEEP(name, wanted, law)                                                                   \
+#define SWEEP(name, flags, law)                                                                    \
     static SweepSums name(const Slices* s, int from, int to, const real4* x, bool clear, real4* f, \
                           real4* gradient) {                                                       \
-        return sweep_slices(s, from, to, x, wanted, clear, law, f, gradient);                      \
+        return sweep_slices(s, from, to, x, flags, clear, law, f, gradient);                       \
     }
 #define SWEEPS_OF(law_name, springs, law)                                                          \
     SWEEP(law_name##_gradient, springs | SWEEP_GRADIENT, law)                                      \
@@ -182,8 +182,8 @@ SWEEPS_OF(rubber, SWEEP_SPRINGS, LAW_RUBBER)
 SWEEPS_OF(tension, SWEEP_SPRINGS, LAW_TENSION)
 SWEEPS_OF(alone, 0, LAW_HOOKE)
 
-static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x, unsigned wanted,
-                              SpringLaw law, real4* f, real4* gradient) {
+static SweepSums sweep_selected(const Slices* s, int from, int to, const real4* x, unsigned flags,
+                                SpringLaw law, real4* f, real4* gradient) {
     static SweepSums (*const table[][5])(const Slices*, int, int, const real4*, bool, real4*,
                                          real4*) = {
         [LAW_HOOKE] = {hooke, hooke_gradient, hooke_area, hooke_volume, hooke_open},
@@ -191,13 +191,13 @@ static SweepSums sweep_wanted(const Slices* s, int from, int to, const real4* x,
         [LAW_TENSION] = {tension, tension_gradient, tension_area, tension_volume, tension_open},
         [SPRING_LAWS] = {NULL, alone_gradient, alone_area, alone_volume, alone_open},
     };
-    const int row = wanted & SWEEP_SPRINGS ? (int)law : SPRING_LAWS;
-    const int column = !(wanted & SWEEP_GRADIENT) ? 0
-                       : s->open                  ? 4
-                       : wanted & SWEEP_AREA      ? 2
-                       : wanted & SWEEP_VOLUME    ? 3
-                                                  : 1;
-    return table[row][column](s, from, to, x, wanted & SWEEP_CLEAR, f, gradient);
+    const int row = flags & SWEEP_SPRINGS ? (int)law : SPRING_LAWS;
+    const int column = !(flags & SWEEP_GRADIENT) ? 0
+                       : s->open                 ? 4
+                       : flags & SWEEP_AREA      ? 2
+                       : flags & SWEEP_VOLUME    ? 3
+                                                 : 1;
+    return table[row][column](s, from, to, x, flags & SWEEP_CLEAR, f, gradient);
 }
 
 static void split(const real4* restrict x, int from, int to, real* const coordinate[3]) {
@@ -215,8 +215,8 @@ static ALWAYS lanes length_of(Lanes3 a) {
 
 /// A quad's row sum is (2 (ac + bd) + ab + ad + bd) / 12, a triangle's (ab + ad + bd) / 6, and its
 /// |dA/da| is bd / 2.
-static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict x,
-                        const real* restrict inverse_mass) {
+static SweepBounds bounds(const Slices* s, int from, int to, const real4* restrict x,
+                          const real* restrict inverse_mass) {
     lanes second = none;
     double4 area2 = {0}, volume2 = {0}, areas = {0}, volume = {0};
     const Lanes3 origin = {x[0][0] + none, x[0][1] + none, x[0][2] + none};
@@ -258,9 +258,9 @@ static SweepSteep steep(const Slices* s, int from, int to, const real4* restrict
         lanes_sum(&areas, corners);
         lanes_sum(&volume, lanes3_dot(lanes3_minus(a, origin), g));
     }
-    SweepSteep sum = {.area2 = sum_of(area2) / 4,
-                      .volume2 = sum_of(volume2) / 144,
-                      .sums = {sum_of(areas) / 8, sum_of(volume) / 36}};
+    SweepBounds sum = {.area2 = sum_of(area2) / 4,
+                       .volume2 = sum_of(volume2) / 144,
+                       .sums = {sum_of(areas) / 8, sum_of(volume) / 36}};
     for (int k = 0; k < WIDE; k++)
         sum.second = fmax(sum.second, (double)second[k] / 12);
     return sum;
@@ -292,9 +292,9 @@ static ALWAYS void add_uniform(const Uniform* uniform, int from, int to,
     }
 }
 
-static void add_uniform_wanted(const Uniform* uniform, int from, int to, const real4* gradient,
-                               const real* mass, const real* inverse_mass, real h, real4* v,
-                               real4* f) {
+static void add_uniform_selected(const Uniform* uniform, int from, int to, const real4* gradient,
+                                 const real* mass, const real* inverse_mass, real h, real4* v,
+                                 real4* f) {
     const real4 a = uniform->acceleration;
     const bool by_mass = uniform->rate != 0 || a[0] != 0 || a[1] != 0 || a[2] != 0;
     if (by_mass && gradient)
@@ -308,7 +308,7 @@ static void add_uniform_wanted(const Uniform* uniform, int from, int to, const r
 }
 
 #ifdef KERNEL_V3
-const Kernels kernels_v3 = {split, sweep_wanted, steep, add_uniform_wanted};
+const Kernels kernels_v3 = {split, sweep_selected, bounds, add_uniform_selected};
 #else
-const Kernels kernels_baseline = {split, sweep_wanted, steep, add_uniform_wanted};
+const Kernels kernels_baseline = {split, sweep_selected, bounds, add_uniform_selected};
 #endif

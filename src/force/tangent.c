@@ -27,17 +27,17 @@ static int collect(const Body* body, int (*pair)[2]) {
     return count;
 }
 
-static int* find_slots(const BlockMatrix* matrix, const Stencils* all) {
-    int* slot = new_array(int, all->count * all->corners * all->corners);
+static int* find_blocks(const BlockMatrix* matrix, const Stencils* all) {
+    int* block_at = new_array(int, all->count * all->corners * all->corners);
     for (int s = 0, k = 0; s < all->count; s++) {
         const int* particle = &all->particle[s * all->corners];
         for (int i = 0; i < all->corners; i++)
             for (int j = 0; j < all->corners; j++)
-                slot[k++] = particle[i] == NONE || particle[j] == NONE
-                                ? NONE
-                                : block_matrix_find(matrix, particle[i], particle[j]);
+                block_at[k++] = particle[i] == NONE || particle[j] == NONE
+                                    ? NONE
+                                    : block_matrix_find(matrix, particle[i], particle[j]);
     }
-    return slot;
+    return block_at;
 }
 
 void tangent_open(Tangent* tangent, const Body* body) {
@@ -47,11 +47,11 @@ void tangent_open(Tangent* tangent, const Body* body) {
     block_matrix_make(&tangent->matrix, body->count, (const int(*)[2])pair, pairs);
     free(pair);
 
-    tangent->slot = new_array(int*, force_count);
+    tangent->block_at = new_array(int*, force_count);
     for (int f = 0; f < force_count; f++) {
         const Stencils all = stencils_of(force_table[f], body);
         if (all.count > 0)
-            tangent->slot[f] = find_slots(&tangent->matrix, &all);
+            tangent->block_at[f] = find_blocks(&tangent->matrix, &all);
     }
 }
 
@@ -64,7 +64,7 @@ void tangent_update(Tangent* tangent, Body* body, double factor, bool project) {
         if (force->update_tangent)
             force->update_tangent(body, project);
         if (force->assemble)
-            force->assemble(body, factor, project, tangent->slot[f], &tangent->matrix);
+            force->assemble(body, factor, project, tangent->block_at[f], &tangent->matrix);
     }
 }
 
@@ -82,9 +82,9 @@ void tangent_add_dense(const Body* body, double factor, const real4* d, real4* o
 
 void tangent_close(Tangent* tangent) {
     block_matrix_free(&tangent->matrix);
-    if (tangent->slot)
+    if (tangent->block_at)
         for (int f = 0; f < force_count; f++)
-            free(tangent->slot[f]);
-    free(tangent->slot);
+            free(tangent->block_at[f]);
+    free(tangent->block_at);
     *tangent = (Tangent){0};
 }

@@ -12,8 +12,9 @@
 
 typedef struct Tangent {
     BlockMatrix matrix;
-    int** slot; ///< [force_count] of each force with stencils, [count][corners][corners]: where its
-                ///< blocks are, NONE for corners that are not there
+    int**
+        block_at; ///< [force_count] of each force with stencils, [count][corners][corners]: index of its
+                  ///< blocks in the matrix, NONE for missing corners
 } Tangent;
 
 /// Find the matrix's sparsity pattern from the stencils of all forces.

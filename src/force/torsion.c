@@ -7,15 +7,14 @@ static bool present(const Body* body) {
     return body->torsion.count > 0;
 }
 
-/// One path as it is bent.
+/// The geometry of a bent path.
 typedef struct Bend {
     int p, m, q;
     real a, c, b;
     real4 u, w, n;
 } Bend;
 
-/// False where the gradient has no direction: an edge has no length, or the path is straight, so
-/// that no direction of bending is preferred.
+/// False if the gradient is undefined: an edge has no length, or the path is straight.
 static bool bend_of(const Body* body, const int path[3], Bend* at) {
     at->p = path[0], at->m = path[1], at->q = path[2];
     const real4 dp = body->x[at->p] - body->x[at->m], dq = body->x[at->q] - body->x[at->m];
@@ -67,7 +66,7 @@ static void update_tangent(Body* body, bool project) {
     body->torsion.project = project;
 }
 
-/// How one end's part of the bend's gradient, g = (n - (n.u) u) / a, changes as u, n and a do.
+/// The derivative of g = (n - (n.u) u) / a, the gradient of the bend at one end, along a displacement.
 static real4 slope_change(real4 n, real4 dn, real4 u, real4 du, real4 g, real a, real da) {
     return (dn - (dot(dn, u) + dot(n, du)) * u - dot(n, u) * du - da * g) / a;
 }

@@ -1,4 +1,4 @@
-/// The force that acts on all particles by one law, added in one pass over them:
+/// The forces that act on every particle by the same law, added in one pass:
 ///
 ///     f_i += m_i a + p dV/dx_i - (drag + rate m_i) v_i
 ///

@@ -9,14 +9,14 @@
 
 #include "base/child.h"
 
-/// What the child sends before the arrays.
+/// Sent by the child before the arrays.
 typedef struct Message {
     bool good;
     int point_count, face_count;
     Fault fault;
 } Message;
 
-/// In the child: what it or a library would print is the parent's to say.
+/// In the child. Its output is discarded: the parent reports faults.
 static void read_and_send(MeshReader reader, const char* path, int pipe_end) {
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDOUT_FILENO);
@@ -57,7 +57,7 @@ static bool receive(MeshSource* source, const char* path, int pipe_end, Fault* f
     return *complete;
 }
 
-/// Address space of this process [bytes]; 0 where the system does not tell.
+/// Size of this process's address space [bytes]; 0 if the system does not report it.
 static unsigned long own_bytes(void) {
     unsigned long pages = 0;
     FILE* in = fopen("/proc/self/statm", "r");

@@ -1,5 +1,5 @@
-/// Reads a mesh file in a child process, so that a library's crash, endless loop, leak or hunger for
-/// memory ends the child and not the program.
+/// Reads a mesh file in a child process, so that a crash, an endless loop, a leak or an excessive
+/// allocation of a library ends the child and not the program.
 ///
 /// The child sends the source through a pipe as plain arrays. It has BOUNDED_SECONDS of CPU time,
 /// twice that of wall time, and BOUNDED_BYTES beside the program's own memory. For a binary STL file
@@ -14,8 +14,7 @@ static const unsigned long BOUNDED_BYTES = 3ul << 30; ///< [bytes]
 
 typedef bool (*MeshReader)(MeshSource* source, const char* path, Fault* fault);
 
-/// The same as read(source, path, fault); a child that did not come to its end is a fault. `read`
-/// fills no lines.
+/// The same as read(source, path, fault); a fault if the child ends early. `read` fills no lines.
 bool bounded_read(MeshReader read, MeshSource* source, const char* path, Fault* fault);
 
 #endif

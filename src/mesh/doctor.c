@@ -16,7 +16,7 @@ static void count_faces(const MeshSource* source, MeshReport* report) {
     report->triangles = source->face_count - report->quads;
 }
 
-/// Points by their number of edges; a point without edges is not of the mesh.
+/// Histogram of the points' numbers of edges; points without edges are not counted.
 static void count_points(const MeshSource* source, const Edges* edges, MeshReport* report) {
     int* valence = new_array(int, source->point_count);
     for (int e = 0; e < edges->count; e++)
@@ -38,7 +38,7 @@ static void count_rims(const MeshSource* source, const Edges* edges, MeshReport*
         if (edges->sides[e] == 1)
             disjoint_join(loop, edges->end[e][0], edges->end[e][1]);
 
-    // each point of a sound rim begins one of its edges, the loop's root among them
+    // each point of a sound rim begins one of its edges, so each loop is counted at its root
     char* counted = new_array(char, source->point_count);
     for (int e = 0; e < edges->count; e++) {
         if (edges->sides[e] != 1)
@@ -78,7 +78,7 @@ static void number_by_first_use(MeshSource* source, int used) {
     source->point_count = count;
 }
 
-/// Area and volume as the file has them, in double in both builds.
+/// Area and volume in the file's unit, in double in both builds.
 static void measure(const Mesh* mesh, MeshReport* report) {
     for (int f = 0; f < mesh->face_count; f++) {
         const Facet facet = facet_of(mesh->point, mesh->face[f]);
@@ -95,7 +95,7 @@ static int find_genus(const MeshSource* source, const Edges* edges, const MeshRe
 }
 
 static void examine(MeshSource* source, MeshReport* report) {
-    // sew first: what is degenerate, duplicate or a rim is judged on the sewn mesh
+    // sew first: degenerate and duplicate faces and rims are counted on the sewn mesh
     count_faces(source, report);
     report->welded_points = weld_seams(source);
     Edges edges;

@@ -1,7 +1,7 @@
 /// The mesh doctor: describes a mesh, mends what it can, and decides whether a balloon can be made.
 ///
 /// Mended and reported: seams (rims at the same positions are sewn), flipped faces (oriented like
-/// their neighbours, and outward if the skin is closed), unused points (left out).
+/// their neighbors, and outward if the skin is closed), unused points (left out).
 /// Unusable: no faces, degenerate faces (two corners at one position, or no area), duplicate faces,
 /// edges of more than two faces, sheets that touch only in a point, a surface with one side.
 ///

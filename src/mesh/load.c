@@ -23,7 +23,7 @@ const MeshFormat* mesh_format_of(const char* name) {
     return NULL;
 }
 
-/// What is neither a shape nor a file of a known format.
+/// The fault for a name that is neither a shape nor a file of a known format.
 static bool refuse_name(const char* name, Fault* fault) {
     char names[256];
     if (access(name, F_OK) == 0)

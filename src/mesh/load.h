@@ -1,4 +1,4 @@
-/// A mesh by its name: a file, in a format of the table, or a shape that the program makes itself.
+/// Loads a mesh by its name: a file in a format of the table, or a built-in shape.
 ///
 /// The topology is exactly the file's: points are shared by index, never by a tolerance.
 #ifndef BALLOON_MESH_LOAD_H

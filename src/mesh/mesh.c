@@ -8,12 +8,12 @@
 #include "mesh/counting_sort.h"
 #include "mesh/reorder.h"
 
-/// Item 2 e + k is end k of edge e; the neighbour that it stands for is the other end.
-static int neighbour_of(const Edges* edges, int item) {
+/// Item 2 e + k is end k of edge e; the neighbor that it stands for is the other end.
+static int neighbor_of(const Edges* edges, int item) {
     return edges->end[item / 2][1 - item % 2];
 }
 
-/// The neighbour that follows counter-clockwise around a point: in the face to the left of the edge
+/// The neighbor that follows counter-clockwise around a point: in the face to the left of the edge
 /// to this one, the corner before the point. NONE on a rim.
 static int next_around(const Edges* edges, const int (*face)[4], int item) {
     const int point = edges->end[item / 2][item % 2];
@@ -27,11 +27,11 @@ static int next_around(const Edges* edges, const int (*face)[4], int item) {
     return NONE;
 }
 
-/// Sort a point's neighbours counter-clockwise around it, in time linear in their number.
-/// at: [point_count] scratch: the position of each neighbour in the list.
+/// Sort a point's neighbors counter-clockwise around it, in time linear in their number.
+/// at: [point_count] scratch: the position of each neighbor in the list.
 static void sort_around(const Edges* edges, const int (*face)[4], int count, int* item, int* at) {
     for (int k = 0; k < count; k++)
-        at[neighbour_of(edges, item[k])] = k;
+        at[neighbor_of(edges, item[k])] = k;
     for (int i = 1; i < count; i++) {
         const int next = next_around(edges, face, item[i - 1]);
         const int k = next == NONE ? 0 : at[next];
@@ -40,7 +40,7 @@ static void sort_around(const Edges* edges, const int (*face)[4], int count, int
         const int swap = item[i];
         item[i] = item[k];
         item[k] = swap;
-        at[neighbour_of(edges, swap)] = k;
+        at[neighbor_of(edges, swap)] = k;
         at[next] = i;
     }
 }
@@ -50,23 +50,23 @@ static void number_points(Mesh* mesh, const Edges* edges, const int (*face)[4]) 
     const int points = mesh->point_count;
     const int ends = 2 * edges->count;
     int* from = new_array(int, points + 1);
-    int* neighbour = new_array(int, ends);
+    int* neighbor = new_array(int, ends);
     int* at = new_array(int, points);
 
-    counting_sort(edges->end[0], ends, points, from, neighbour);
+    counting_sort(edges->end[0], ends, points, from, neighbor);
     for (int p = 0; p < points; p++)
-        sort_around(edges, face, from[p + 1] - from[p], &neighbour[from[p]], at);
+        sort_around(edges, face, from[p + 1] - from[p], &neighbor[from[p]], at);
     free(at);
     for (int i = 0; i < ends; i++)
-        neighbour[i] = neighbour_of(edges, neighbour[i]);
+        neighbor[i] = neighbor_of(edges, neighbor[i]);
 
     mesh->loaded = new_array(int, points);
     mesh->inside = new_array(int, points);
-    reorder_points(points, from, neighbour, mesh->loaded);
+    reorder_points(points, from, neighbor, mesh->loaded);
     for (int i = 0; i < points; i++)
         mesh->inside[mesh->loaded[i]] = i;
     free(from);
-    free(neighbour);
+    free(neighbor);
 }
 
 static void copy_points(Mesh* mesh, const double4* point) {

@@ -18,7 +18,7 @@ typedef struct Reader {
     Fault* fault;
 } Reader;
 
-/// One sentence about the current line.
+/// A fault at the current line.
 __attribute__((format(printf, 2, 3))) static bool refuse(const Reader* reader, const char* format,
                                                          ...) {
     char text[256];
@@ -126,7 +126,7 @@ static bool read_face(Reader* reader) {
     return true;
 }
 
-/// Whether the line begins with this one-letter word; then reading stands behind it.
+/// Whether the line begins with this one-letter word; if so, reading continues after it.
 static bool begins(Lines* lines, char word) {
     if (lines->at[0] != word || !ends_word(lines->at[1]))
         return false;
@@ -195,7 +195,7 @@ static bool read_lines(MeshSource* source, const FileText* file, Fault* fault) {
     return check_corners(source, fault);
 }
 
-/// Arrays for all that the file can hold, with the counts at zero.
+/// Allocate arrays with the bounds as capacities, and set the counts to zero.
 static bool make_arrays(MeshSource* source, const char* path, const FileText* file, Fault* fault) {
     int points = 0;
     int faces = 0;

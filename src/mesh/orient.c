@@ -13,8 +13,8 @@ static const double VOLUME_MIN = 1e-12;
 typedef struct Flood {
     const MeshSource* source;
     const Edges* edges;
-    signed char* way; ///< [face_count] UNKNOWN, KEPT or FLIPPED
-    int* queue;       ///< [face_count] the faces of in order of components
+    signed char* mark; ///< [face_count] UNKNOWN, KEPT or FLIPPED
+    int* queue;        ///< [face_count] the faces, component by component
     Orientation orientation;
 } Flood;
 
@@ -36,14 +36,14 @@ static int flood(Flood* flood, int from) {
             const int t = other_side(flood->edges, s);
             if (t == NONE)
                 continue;
-            // neighbours that are oriented alike run along their edge in opposite directions
+            // two faces of one orientation traverse their common edge in opposite directions
             const bool alike = side_start(face, s) == side_end(face, t);
-            const signed char way = alike ? flood->way[f] : (signed char)(1 - flood->way[f]);
+            const signed char mark = alike ? flood->mark[f] : (signed char)(1 - flood->mark[f]);
             const int g = t / 4;
-            if (flood->way[g] == UNKNOWN) {
-                flood->way[g] = way;
+            if (flood->mark[g] == UNKNOWN) {
+                flood->mark[g] = mark;
                 flood->queue[end++] = g;
-            } else if (flood->way[g] != way && flood->orientation.clash[0] == NONE) {
+            } else if (flood->mark[g] != mark && flood->orientation.clash[0] == NONE) {
                 flood->orientation.clash[0] = f;
                 flood->orientation.clash[1] = g;
             }
@@ -55,13 +55,13 @@ static int flood(Flood* flood, int from) {
 static int count_flipped(const Flood* flood, int from, int end) {
     int count = 0;
     for (int i = from; i < end; i++)
-        count += flood->way[flood->queue[i]] == FLIPPED;
+        count += flood->mark[flood->queue[i]] == FLIPPED;
     return count;
 }
 
 static void flip_all(Flood* flood, int from, int end) {
     for (int i = from; i < end; i++)
-        flood->way[flood->queue[i]] = (signed char)(1 - flood->way[flood->queue[i]]);
+        flood->mark[flood->queue[i]] = (signed char)(1 - flood->mark[flood->queue[i]]);
 }
 
 static bool is_closed(const Flood* flood, int from, int end) {
@@ -74,7 +74,7 @@ static bool is_closed(const Flood* flood, int from, int end) {
     return true;
 }
 
-/// Whether the component encloses a volume that is negative beyond rounding.
+/// Whether the component's volume is negative beyond rounding.
 static bool is_inside_out(const Flood* flood, int from, int end) {
     const MeshSource* source = flood->source;
     const double4 origin = source->point[source->face[flood->queue[from]][0]];
@@ -84,13 +84,13 @@ static bool is_inside_out(const Flood* flood, int from, int end) {
         const int f = flood->queue[i];
         const Facet facet = facet_of(source->point, source->face[f]);
         const double part = facet_volume(&facet, origin);
-        volume += flood->way[f] == FLIPPED ? -part : part;
+        volume += flood->mark[f] == FLIPPED ? -part : part;
         area += dlength(facet_area(&facet));
     }
     return volume < -VOLUME_MIN * area * sqrt(area);
 }
 
-/// Reverse the corners; the first stays the first.
+/// Reverse the order of the corners; the first one remains first.
 static void flip_face(int face[4]) {
     const int last = face_corners(face) - 1;
     const int swap = face[1];
@@ -103,23 +103,23 @@ Orientation orient_faces(MeshSource* source, const Edges* edges) {
     Flood state = {
         .source = source,
         .edges = edges,
-        .way = new_array(signed char, count),
+        .mark = new_array(signed char, count),
         .queue = new_array(int, count),
         .orientation = {.clash = {NONE, NONE}},
     };
     for (int f = 0; f < count; f++)
-        state.way[f] = UNKNOWN;
+        state.mark[f] = UNKNOWN;
 
     int from = 0;
     for (int f = 0; f < count; f++) {
-        if (state.way[f] != UNKNOWN)
+        if (state.mark[f] != UNKNOWN)
             continue;
-        state.way[f] = KEPT;
+        state.mark[f] = KEPT;
         state.queue[from] = f;
         const int end = flood(&state, from);
         state.orientation.components++;
 
-        // as few flips as possible, unless the skin is closed: then outward
+        // flip the minority of an open skin; orient a closed one outward
         if (2 * count_flipped(&state, from, end) > end - from)
             flip_all(&state, from, end);
         if (is_closed(&state, from, end) && is_inside_out(&state, from, end))
@@ -128,11 +128,11 @@ Orientation orient_faces(MeshSource* source, const Edges* edges) {
     }
 
     for (int f = 0; f < count; f++) {
-        if (state.way[f] == FLIPPED)
+        if (state.mark[f] == FLIPPED)
             flip_face(source->face[f]);
-        state.orientation.flipped += state.way[f] == FLIPPED;
+        state.orientation.flipped += state.mark[f] == FLIPPED;
     }
-    free(state.way);
+    free(state.mark);
     free(state.queue);
     return state.orientation;
 }

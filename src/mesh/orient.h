@@ -1,4 +1,4 @@
-/// Orients faces: each alike with its neighbours, and those of closed skins outward.
+/// Orients faces: each alike with its neighbors, and those of closed skins outward.
 #ifndef BALLOON_MESH_ORIENT_H
 #define BALLOON_MESH_ORIENT_H
 

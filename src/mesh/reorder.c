@@ -7,11 +7,11 @@
 #include "mesh/mesh.h"
 
 /// The points in ascending order of valence.
-static void sort_by_valence(int count, const int* neighbour_from, int* sorted) {
+static void sort_by_valence(int count, const int* neighbor_from, int* sorted) {
     int* valence = new_array(int, count);
     int valence_max = 0;
     for (int i = 0; i < count; i++) {
-        valence[i] = neighbour_from[i + 1] - neighbour_from[i];
+        valence[i] = neighbor_from[i + 1] - neighbor_from[i];
         valence_max = valence[i] > valence_max ? valence[i] : valence_max;
     }
     int* from = new_array(int, valence_max + 2);
@@ -20,14 +20,15 @@ static void sort_by_valence(int count, const int* neighbour_from, int* sorted) {
     free(from);
 }
 
-/// Append the neighbours of a point that are not reached yet, from the one that it was reached from.
-static int reach_neighbours(int point, const int* neighbour, int valence, int* reached_from,
-                            int* loaded, int end) {
+/// Append the neighbors of a point that have no number yet, in order around it, beginning with the one
+/// that it was reached from.
+static int reach_neighbors(int point, const int* neighbor, int valence, int* reached_from,
+                           int* loaded, int end) {
     int first = 0;
-    while (first < valence && neighbour[first] != reached_from[point])
+    while (first < valence && neighbor[first] != reached_from[point])
         first++;
     for (int k = 0; k < valence; k++) {
-        const int other = neighbour[(first + k) % valence];
+        const int other = neighbor[(first + k) % valence];
         if (reached_from[other] != NONE)
             continue;
         reached_from[other] = point;
@@ -36,12 +37,12 @@ static int reach_neighbours(int point, const int* neighbour, int valence, int* r
     return end;
 }
 
-void reorder_points(int count, const int* neighbour_from, const int* neighbour, int* loaded) {
+void reorder_points(int count, const int* neighbor_from, const int* neighbor, int* loaded) {
     int* start = new_array(int, count);
     int* reached_from = new_array(int, count);
     for (int i = 0; i < count; i++)
         reached_from[i] = NONE;
-    sort_by_valence(count, neighbour_from, start);
+    sort_by_valence(count, neighbor_from, start);
 
     // `loaded` is the queue: points are numbered in the order in which they are reached
     int end = 0;
@@ -52,9 +53,9 @@ void reorder_points(int count, const int* neighbour_from, const int* neighbour, 
         reached_from[start[s]] = start[s];
         loaded[end++] = start[s];
         for (; head < end; head++) {
-            const int point = loaded[head], from = neighbour_from[point];
-            end = reach_neighbours(point, &neighbour[from], neighbour_from[point + 1] - from,
-                                   reached_from, loaded, end);
+            const int point = loaded[head], from = neighbor_from[point];
+            end = reach_neighbors(point, &neighbor[from], neighbor_from[point + 1] - from,
+                                  reached_from, loaded, end);
         }
     }
     free(start);

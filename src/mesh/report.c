@@ -9,7 +9,7 @@ static void print_valence(const MeshReport* report, FILE* out) {
     fprintf(out, "\n");
 }
 
-/// Genus, rims, area and volume mean something only where every edge and point is sound.
+/// Genus, rims, area and volume are defined only if every edge and point is manifold.
 static void print_measures(const MeshReport* report, FILE* out) {
     fprintf(out, "genus: %d\n", report->genus);
     fprintf(out, "rims: %d\n", report->rims);

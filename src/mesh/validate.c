@@ -14,7 +14,7 @@ static const double AREA_MIN = 1e-12;
 
 enum { LOCATION_BYTES = 512 };
 
-/// "file:line" of a face or a point, or the file alone where lines are not known.
+/// "file:line" of a face or a point, or the file alone if lines are unknown.
 static const char* location(const MeshSource* source, const long* lines, int i,
                             char text[LOCATION_BYTES]) {
     if (lines)
@@ -71,7 +71,7 @@ static void sort_corners(const int face[4], int sorted[4]) {
     }
 }
 
-/// Faces in the order of their sorted corners: a radix sort, so that equal faces are neighbours,
+/// Faces in the order of their sorted corners: a radix sort, so that equal faces are neighbors,
 /// and the earlier one comes first.
 static int* sort_faces(const int (*corner)[4], int face_count, int point_count) {
     int* order = new_array(int, face_count);
@@ -134,8 +134,8 @@ void validate_edges(const MeshSource* source, const Edges* edges, MeshReport* re
     }
 }
 
-/// The faces around a point in sets: of each edge of two faces, the corners at either end are joined.
-/// Corner c of the set that contains it: 4 * face + c.
+/// Sets of the faces around each point: the faces of an edge of two faces are joined at both its ends.
+/// A face's corner c at the point is the item 4 * face + c.
 static int* join_corners(const MeshSource* source, const Edges* edges) {
     const int(*face)[4] = (const int(*)[4])source->face;
     int* fan = disjoint_make(4 * source->face_count);

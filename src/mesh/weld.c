@@ -61,7 +61,7 @@ static int* first_at_positions(const MeshSource* source, const Edges* edges, int
     return first;
 }
 
-/// The faces with every corner replaced by what it maps to.
+/// Replace every corner by its value in the map.
 static Faces map_corners(const MeshSource* source, const int* map) {
     Faces mapped = new_array(int[4], source->face_count);
     for (int f = 0; f < source->face_count; f++)
@@ -132,7 +132,7 @@ static int weld_once(MeshSource* source) {
 }
 
 int weld_seams(MeshSource* source) {
-    // sewn edges are no rims any more, so the edges that remain at a position may now be just two
+    // sewn edges are no rims, so a position may now have exactly two rim edges: repeat
     int welded = 0;
     for (int round = weld_once(source); round > 0; round = weld_once(source))
         welded += round;

@@ -14,7 +14,7 @@ void slider_open(Slider* slider, const World* world, const SceneSet* set, int se
     Fault unused = {0};
     *slider = (Slider){.error = (double)NAN};
     char* text = scene_text(world->def.file, set, set_count, false, &unused);
-    if (text && advise_recall(text, (int)scene_outputs(&world->def), &slider->advice)) {
+    if (text && advise_cache_read(text, (int)scene_outputs(&world->def), &slider->advice)) {
         slider->front = new_array(const AdvicePoint*, slider->advice.count);
         const int count = advise_front(&slider->advice, slider->front);
         const char* own = sizeof(real) == sizeof(double) ? "double" : "float";

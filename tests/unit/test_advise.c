@@ -40,7 +40,7 @@ static void put_file(const char* path, const char* text, size_t size) {
 
 static bool is_recalled(void) {
     Advice advice;
-    const bool found = advise_recall(scene, 1, &advice);
+    const bool found = advise_cache_read(scene, 1, &advice);
     advise_free(&advice);
     return found;
 }
@@ -48,8 +48,8 @@ static bool is_recalled(void) {
 static void what_is_kept_is_recalled(void** state) {
     (void)state;
     Advice kept = sample(), found;
-    advise_keep(scene, &kept);
-    assert_true(advise_recall(scene, 1, &found));
+    advise_cache_write(scene, &kept);
+    assert_true(advise_cache_read(scene, 1, &found));
     assert_int_equal(found.count, 2);
     assert_true(found.floor == kept.floor && found.reference[0] == kept.reference[0]);
     assert_string_equal(found.point[1].method, "newton");
@@ -57,10 +57,10 @@ static void what_is_kept_is_recalled(void** state) {
     assert_true(found.point[0].step == kept.point[0].step && found.point[0].ms == kept.point[0].ms);
     advise_free(&found);
     assert_true(
-        advise_recall("step: \"0.0021\"\nballoons: \"3\"\n", 1, &found)); // a fifth is alike
+        advise_cache_read("step: \"0.0021\"\nballoons: \"3\"\n", 1, &found)); // a fifth is alike
     advise_free(&found);
-    assert_false(advise_recall("step: \"0.003\"\nballoons: \"3\"\n", 1, &found));
-    assert_false(advise_recall(scene, 2, &found)); // about more than was measured
+    assert_false(advise_cache_read("step: \"0.003\"\nballoons: \"3\"\n", 1, &found));
+    assert_false(advise_cache_read(scene, 2, &found)); // about more than was measured
     advise_free(&kept);
 }
 
@@ -69,7 +69,7 @@ static void a_damaged_file_is_ignored(void** state) {
     (void)state;
     Advice kept = sample();
     char path[512], text[4096];
-    advise_keep(scene, &kept);
+    advise_cache_write(scene, &kept);
     find_file(path);
     FILE* in = fopen(path, "r");
     const size_t size = fread(text, 1, sizeof text, in);
@@ -102,7 +102,7 @@ static void an_impossible_file_is_ignored(void** state) {
         case 2: p->step = nan_value; break;
         case 3: p->error = -1; break;
         case 4: p->step = 0; break;
-        case 5: p->level = 1000000; break;
+        case 5: p->refinement = 1000000; break;
         case 6: strcpy(p->method, "magic"); break;
         case 7: strcpy(p->precision, "half"); break;
         case 8: kept.floor = nan_value; break;
@@ -111,7 +111,7 @@ static void an_impossible_file_is_ignored(void** state) {
         case 11: kept.floor = INFINITY; break;
         }
         // clang-format on
-        advise_keep(scene, &kept);
+        advise_cache_write(scene, &kept);
         if (is_recalled())
             fail_msg("case %d is believed", k);
         advise_free(&kept);
@@ -123,21 +123,21 @@ static void what_is_no_file_is_ignored(void** state) {
     (void)state;
     Advice kept = sample();
     char path[512];
-    advise_keep(scene, &kept);
+    advise_cache_write(scene, &kept);
     find_file(path);
     unlink(path);
     assert_int_equal(mkfifo(path, 0600), 0);
     assert_false(is_recalled());
-    advise_keep(scene, &kept); // takes the pipe's place
+    advise_cache_write(scene, &kept); // takes the pipe's place
     assert_true(is_recalled());
     unlink(path);
     assert_int_equal(mkdir(path, 0700), 0);
     assert_false(is_recalled());
-    advise_keep(scene, &kept); // cannot: it is said, and that is all
+    advise_cache_write(scene, &kept); // cannot: it is said, and that is all
     rmdir(path);
     setenv("XDG_CACHE_HOME", "/proc/nothing", 1);
     assert_false(is_recalled());
-    advise_keep(scene, &kept);
+    advise_cache_write(scene, &kept);
     setenv("XDG_CACHE_HOME", folder, 1);
     advise_free(&kept);
 }

@@ -177,7 +177,7 @@ static void without_contacts_it_crosses(void** state) {
     run_for(&world, 0.3);
     const int count = crossings(&world);
     assert_true(count > 10);
-    assert_near(probe(&world, "crossings"), count, 0.05 * count); // it also looks at neighbours
+    assert_near(probe(&world, "crossings"), count, 0.05 * count); // it also looks at neighbors
     world_close(&world);
 }
 

@@ -103,17 +103,17 @@ static void rings_measure_what_faces_do(void** state) {
         for (int i = 0; i < body.count; i++)
             assert_near((double)length(body.inflation.gradient[i] - want[i]), 0,
                         20 * REAL_EPSILON * most);
-        const SweepSteep steep = sweep_steep(&body);
+        const SweepBounds bounds = sweep_bounds(&body);
         double volume2 = 0;
         for (int i = 0; i < body.count; i++)
             volume2 += (double)(body.inverse_mass[i] * dot(want[i], want[i]));
-        assert_close(steep.sums.area, area, 10 * REAL_EPSILON);
-        assert_close(steep.volume2, volume2, 20 * REAL_EPSILON);
+        assert_close(bounds.sums.area, area, 10 * REAL_EPSILON);
+        assert_close(bounds.volume2, volume2, 20 * REAL_EPSILON);
         if (mesh.closed) {
             const double volume = measure_volume(&mesh, body.x);
             assert_close(sweep(&body, SWEEP_GRADIENT | SWEEP_VOLUME).volume, volume,
                          100 * REAL_EPSILON);
-            assert_close(steep.sums.volume, volume, 100 * REAL_EPSILON);
+            assert_close(bounds.sums.volume, volume, 100 * REAL_EPSILON);
         }
         free(want);
         body_free(&body);
@@ -122,15 +122,15 @@ static void rings_measure_what_faces_do(void** state) {
 }
 
 /// What one compilation of the kernels makes of a body: forces, velocities, sums.
-static SweepSums one_step(const Kernels* with, Body* body, unsigned wanted) {
+static SweepSums one_step(const Kernels* with, Body* body, unsigned flags) {
     const Uniform uniform = {
         .acceleration = {0, (real)-9.8, 0, 0}, .pressure = 3, .drag = 0.02, .rate = 0.7};
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     with->split(body->x, 0, body->slices.count * LANES, body->slices.coordinate);
-    const SweepSums sums = with->sweep(&body->slices, 0, body->slices.count, body->x, wanted,
+    const SweepSums sums = with->sweep(&body->slices, 0, body->slices.count, body->x, flags,
                                        body->springs.law, body->f, body->inflation.gradient);
     with->uniform(&uniform, 0, body->count,
-                  wanted & SWEEP_GRADIENT ? body->inflation.gradient : NULL, body->mass,
+                  flags & SWEEP_GRADIENT ? body->inflation.gradient : NULL, body->mass,
                   body->inverse_mass, (real)0.001, body->v, body->f);
     return sums;
 }
@@ -140,15 +140,15 @@ static void all_compilations_give_the_same_bits(void** state) {
 #ifdef __x86_64__
     if (!cpu_is_v3())
         skip();
-    const unsigned wanted[] = {SWEEP_SPRINGS,
-                               SWEEP_SPRINGS | SWEEP_GRADIENT,
-                               SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,
-                               SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME,
-                               SWEEP_GRADIENT | SWEEP_AREA,
-                               SWEEP_GRADIENT | SWEEP_VOLUME};
-    for (size_t n = 0; n < SKINS * sizeof wanted / sizeof *wanted; n++)
+    const unsigned flags[] = {SWEEP_SPRINGS,
+                              SWEEP_SPRINGS | SWEEP_GRADIENT,
+                              SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_AREA,
+                              SWEEP_SPRINGS | SWEEP_GRADIENT | SWEEP_VOLUME,
+                              SWEEP_GRADIENT | SWEEP_AREA,
+                              SWEEP_GRADIENT | SWEEP_VOLUME};
+    for (size_t n = 0; n < SKINS * sizeof flags / sizeof *flags; n++)
         for (int law = 0; law < SPRING_LAWS; law++) {
-            const unsigned goal = wanted[n / SKINS];
+            const unsigned goal = flags[n / SKINS];
             Mesh mesh;
             Body one, other;
             springs_on(skins[n % SKINS], &mesh, &one, (SpringLaw)law);
@@ -159,10 +159,10 @@ static void all_compilations_give_the_same_bits(void** state) {
             body_inflate(&other, &(Inflation){.law = INFLATE_AREA});
             const SweepSums a = one_step(&kernels_baseline, &one, goal);
             const SweepSums b = one_step(&kernels_v3, &other, goal);
-            const SweepSteep c =
-                kernels_baseline.steep(&one.slices, 0, one.slices.count, one.x, one.inverse_mass);
-            const SweepSteep d =
-                kernels_v3.steep(&other.slices, 0, other.slices.count, other.x, other.inverse_mass);
+            const SweepBounds c =
+                kernels_baseline.bounds(&one.slices, 0, one.slices.count, one.x, one.inverse_mass);
+            const SweepBounds d = kernels_v3.bounds(&other.slices, 0, other.slices.count, other.x,
+                                                    other.inverse_mass);
             assert_memory_equal(&c, &d, sizeof c);
             const size_t bytes = (size_t)one.count * sizeof(real4);
             assert_memory_equal(&a, &b, sizeof a);

@@ -307,7 +307,7 @@ static void tether_bears_the_lift(void** state) {
     world_close(&world);
 }
 
-/// From outside and from inside, wherever its centre is: it touches then, and passes nothing.
+/// From outside and from inside, wherever its center is: it touches then, and passes nothing.
 static void a_ball_across_a_skin_is_moved_away(void** state) {
     (void)state;
     static const double start[] = {0.26, 0.24, 0.21, 0.2, 0.19, 0.16, 0.1};

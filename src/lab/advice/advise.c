@@ -25,11 +25,11 @@ bool advise_points(const char* scene, const SceneSet* set, int set_count, bool f
     if (!text)
         return false;
     const int outputs = outputs_of(scene, set, set_count);
-    bool good = !fresh && outputs > 0 && advise_recall(text, outputs, advice);
+    bool good = !fresh && outputs > 0 && advise_cache_read(text, outputs, advice);
     if (!good) {
         good = advise_measure(scene, set, set_count, advice, fault);
         if (good)
-            advise_keep(text, advice);
+            advise_cache_write(text, advice);
     }
     free(text);
     return good;
@@ -44,33 +44,35 @@ double advise_promise(const Advice* advice, const AdvicePoint* point) {
     return ADVISE_MARGIN * point->error + advice->floor;
 }
 
-/// Errors this near to the least within a budget are as good, and may be much cheaper. [1]
-static const double as_good = 1.1;
+/// Promised errors up to this times the smallest within a budget count as equally good, because such
+/// points may be much cheaper. [1]
+static const double equally_good = 1.1;
 
 const AdvicePoint* advise_pick(const Advice* advice, double error, double ms,
-                               const AdvicePoint** best) {
-    double least = INFINITY;
+                               const AdvicePoint** nearest) {
+    double min_error = INFINITY;
     const AdvicePoint *found = NULL, *near = NULL;
     for (int k = 0; k < advice->count; k++) {
         const AdvicePoint* p = &advice->point[k];
         if (p->ms <= ms)
-            least = fmin(least, advise_promise(advice, p));
+            min_error = fmin(min_error, advise_promise(advice, p));
         if (isfinite(p->error) &&
             (!near || (error > 0 ? p->error < near->error : p->ms < near->ms)))
             near = p;
     }
-    const double wanted = error > 0 ? error : as_good * least;
+    const double max_error = error > 0 ? error : equally_good * min_error;
     for (int k = 0; k < advice->count; k++) {
         const AdvicePoint* p = &advice->point[k];
-        if (isfinite(p->error) && advise_promise(advice, p) <= wanted &&
+        if (isfinite(p->error) && advise_promise(advice, p) <= max_error &&
             (error > 0 || p->ms <= ms) && (!found || p->ms < found->ms))
             found = p;
     }
-    *best = near;
+    *nearest = near;
     return found;
 }
 
-static bool is_beaten(const Advice* advice, const AdvicePoint* point) {
+/// Whether another point is at least as cheap and as accurate; of two equal points the first remains.
+static bool is_dominated(const Advice* advice, const AdvicePoint* point) {
     for (int k = 0; k < advice->count; k++) {
         const AdvicePoint* other = &advice->point[k];
         const bool less = other->ms < point->ms || other->error < point->error;
@@ -85,7 +87,7 @@ int advise_front(const Advice* advice, const AdvicePoint** front) {
     int count = 0;
     for (int k = 0; k < advice->count; k++) {
         const AdvicePoint* point = &advice->point[k];
-        if (!isfinite(point->error) || !isfinite(point->ms) || is_beaten(advice, point))
+        if (!isfinite(point->error) || !isfinite(point->ms) || is_dominated(advice, point))
             continue;
         int at = count++;
         for (; at > 0 && front[at - 1]->ms > point->ms; at--)
@@ -100,25 +102,26 @@ void advise_sets(const World* world, const AdvicePoint* point, Overrides* sets) 
     overrides_add(sets, "method=%s", point->method);
     overrides_add(sets, "step=%.17g", point->step);
     overrides_add(sets, "precision=%s", point->precision);
-    if (point->level != 0)
-        refinement_add(world, point->level, sets);
+    if (point->refinement != 0)
+        refinement_add(world, point->refinement, sets);
 }
 
 // --- the verb ------------------------------------------------------------------------------------
 
-bool advise_is_kept(const AdviseOptions* options) {
+bool advise_is_cached(const AdviseOptions* options) {
     Fault unused = {0};
     Advice advice = {0};
     char* text = scene_text(options->scene, options->set, options->set_count, false, &unused);
-    const bool kept =
+    const bool cached =
         text && !options->fresh &&
-        advise_recall(text, outputs_of(options->scene, options->set, options->set_count), &advice);
+        advise_cache_read(text, outputs_of(options->scene, options->set, options->set_count),
+                          &advice);
     free(text);
     advise_free(&advice);
-    return kept;
+    return cached;
 }
 
-static void leave_out_others(Advice* advice, const char* precision) {
+static void remove_other_precisions(Advice* advice, const char* precision) {
     int count = 0;
     for (int k = 0; k < advice->count; k++)
         if (strcmp(advice->point[k].precision, precision) == 0)
@@ -126,9 +129,10 @@ static void leave_out_others(Advice* advice, const char* precision) {
     advice->count = count;
 }
 
-/// The point that is asked for, or with `anyway` what comes nearest, as overrides.
-static bool advise(const AdviseOptions* options, bool anyway, Advice* advice, AdvicePoint* point,
-                   Overrides* sets, Fault* fault) {
+/// The requested point and its overrides; with `or_nearest` the nearest point where none meets the
+/// request.
+static bool advise(const AdviseOptions* options, bool or_nearest, Advice* advice,
+                   AdvicePoint* point, Overrides* sets, Fault* fault) {
     WorldDef def;
     World world;
     if (!advise_points(options->scene, options->set, options->set_count, options->fresh, advice,
@@ -138,24 +142,24 @@ static bool advise(const AdviseOptions* options, bool anyway, Advice* advice, Ad
         return false;
     scene_say_renamed(&world.def);
     if (options->precision)
-        leave_out_others(advice, options->precision);
-    const AdvicePoint* best;
-    const AdvicePoint* found = advise_pick(advice, options->error, options->ms, &best);
+        remove_other_precisions(advice, options->precision);
+    const AdvicePoint* nearest;
+    const AdvicePoint* found = advise_pick(advice, options->error, options->ms, &nearest);
     bool good = true;
-    if (!best)
+    if (!nearest)
         good = fault_set(fault, world.def.file, "no method comes to the end of this scene");
-    else if (!found && !anyway)
+    else if (!found && !or_nearest)
         good = fault_set(fault, world.def.file, "the best here is %.2g %%, for %.2g ms a frame",
-                         100 * advise_promise(advice, best), best->ms);
+                         100 * advise_promise(advice, nearest), nearest->ms);
     if (good) {
-        *point = found ? *found : *best;
+        *point = found ? *found : *nearest;
         advise_sets(&world, point, sets);
     }
     world_close(&world);
     return good;
 }
 
-/// The scene's overrides, then those of the advice.
+/// The scene's overrides, then those of the advice. Returns their number.
 static int join(const AdviseOptions* options, const Overrides* sets, SceneSet* all) {
     int count = 0;
     for (int k = 0; k < options->set_count; k++)
@@ -185,7 +189,7 @@ static void describe(const Advice* advice, const AdvicePoint* point, char* text,
              point->ms);
 }
 
-/// The scene as advised, or lines for programs.
+/// Write the advised scene, or with `report` lines for programs.
 static bool write_advice(const AdviseOptions* options, const Advice* advice,
                          const AdvicePoint* point, const Overrides* sets, FILE* out, Fault* fault) {
     if (options->report) {
@@ -219,10 +223,10 @@ bool advise_run(const AdviseOptions* options, Fault* fault) {
         good = fault_set(fault, options->out, "cannot be written: %s", strerror(errno));
     if (out) {
         good = write_advice(options, &advice, &point, &sets, out, fault);
-        bool whole = !ferror(out) && fflush(out) == 0;
+        bool complete = !ferror(out) && fflush(out) == 0;
         if (options->out)
-            whole = fclose(out) == 0 && whole;
-        if (good && !whole)
+            complete = fclose(out) == 0 && complete;
+        if (good && !complete)
             good = fault_set(fault, options->out, "could not be written to its end");
     }
     advise_free(&advice);

@@ -1,109 +1,115 @@
-/// `balloon advise SCENE`: the cheapest way that is close enough, or the closest that is cheap
-/// enough, from runs measured on this machine.
+/// `balloon advise SCENE`: the cheapest setting for a maximum error, or the most accurate one for a
+/// maximum cost, chosen from runs that are measured on this machine.
 ///
-/// A point is one method x mesh level x step x precision on the scene, guard on, run by the program
-/// itself:
+/// A point is one method x refinement x step x precision on the scene, with `guard: split`, run by the
+/// program itself:
 ///
 ///     error   max over the outputs of |value - reference| / |reference|                      [1]
-///     cost    CPU time of stepping for a frame of 1/60 s, the least of the runs              [ms]
+///     cost    CPU time of stepping for a frame of 1/60 s, minimum over the runs              [ms]
 ///     promise ADVISE_MARGIN error + floor                                                    [1]
 ///
-/// An error is never taken for less than what the step's and the mesh's parts of it are alone,
-/// which neighboring points tell: that they cancel is luck. The reference is what two finer runs
-/// of the scene's own method tell of no step at all, order 1, and two levels of the mesh of endless
-/// fineness, order 2; the floor is a tenth of how far the finest run is off that, 1e-4 at least.
-/// Steps are 1/60 s halved again and again, from where the guard does not split them, until the
-/// error stands still or a second costs 25 ms a frame; a run that is sure to cost more is ended. The
-/// whole takes ADVISE_SECONDS_MAX at most: then what was measured until then is all there is.
+/// The errors of step and mesh can cancel at one point by chance. So each of the two is estimated alone
+/// from neighboring points, and a point's error is at least the larger estimate (advise_cancel.c).
 ///
-/// Points are kept where the system keeps caches, and hold for every scene of the same words whose
-/// numbers are within a fifth, on the same machine, for the same build of the program.
+/// The reference is extrapolated from runs by the scene's own method: from two steps to step 0 by order
+/// 1, and from two refinements to edge length 0 by order 2. The floor is a tenth of the distance between
+/// the finest run and the reference, at least 1e-4.
+///
+/// Measured steps are 1/60 s and its halves, beginning with the first that the guard does not split, and
+/// ending where the error no longer falls or a frame costs 25 ms; a run that must exceed this cost is
+/// ended. After ADVISE_SECONDS_MAX the measurement ends with the points that it has.
+///
+/// Points are cached (XDG_CACHE_HOME or ~/.cache). They are valid for every scene with the same text in
+/// which each number differs by at most a fifth, on the same machine and for the same build.
 #ifndef BALLOON_LAB_ADVICE_ADVISE_H
 #define BALLOON_LAB_ADVICE_ADVISE_H
 
 #include "lab/run/overrides.h"
 #include "world/world.h"
 
-/// A comment by which a scene that advice wrote is known.
+/// A comment that identifies a scene written by advice.
 #define ADVISE_MARK "# What was put in its place:"
 
-enum { ADVISE_OUTPUTS = 16 }; ///< that a scene may be about
+enum { ADVISE_OUTPUTS = 16 }; ///< maximum number of outputs in a scene's list `about`
 
-extern const double ADVISE_MARGIN; ///< error that may be, over error that was measured [1]
-extern const double ADVISE_FPS;    ///< frames that a second's cost is spread over [1/s]
+extern const double ADVISE_MARGIN; ///< promised error over measured error [1]
+extern const double ADVISE_FPS;    ///< frames per simulated second, for the cost of a frame [1/s]
 
 typedef struct AdvicePoint {
     char method[24];
     char precision[8];
-    int level;    ///< of the mesh, against the scene's own (lab/run/refinement.h)
-    double step;  ///< [s]
-    double error; ///< measured [1]; INFINITY: it went bad
-    double ms;    ///< of a frame [ms]
+    int refinement; ///< of the scene's mesh (lab/run/refinement.h)
+    double step;    ///< [s]
+    double error;   ///< measured [1]; INFINITY: the run did not reach its end
+    double ms;      ///< CPU time of a frame [ms]
 } AdvicePoint;
 
 typedef struct Advice {
     AdvicePoint* point; ///< [count] owned
     int count;
-    double floor; ///< what is not known of the reference [1]
+    double floor; ///< uncertainty of the reference [1]
     int outputs;
-    double reference[ADVISE_OUTPUTS]; ///< of the scene that was measured
+    double reference[ADVISE_OUTPUTS]; ///< values of the measured scene's outputs
 } Advice;
 
-/// The points of a scene, from the cache or measured now and then kept. `fresh`: measured anyway.
-/// A scene that is about none is a fault.
+/// The points of a scene: from the cache, or measured now and then cached. `fresh`: do not read the
+/// cache. A scene without outputs in its list `about` is a fault.
 bool advise_points(const char* scene, const SceneSet* set, int set_count, bool fresh,
                    Advice* advice, Fault* fault);
 void advise_free(Advice* advice);
 
-/// The largest error to be expected of a point [1].
+/// The promised error of a point [1].
 double advise_promise(const Advice* advice, const AdvicePoint* point);
 
-/// The cheapest point that promises `error`, or with error 0 the closest within `ms`. NULL: none;
-/// `best` is then what comes nearest.
+/// The cheapest point that promises `error`, or if `error` is 0 the most accurate one that costs at
+/// most `ms`. NULL: there is none. nearest: the point that comes nearest to the request, NULL if no
+/// point is finite.
 const AdvicePoint* advise_pick(const Advice* advice, double error, double ms,
-                               const AdvicePoint** best);
+                               const AdvicePoint** nearest);
 
-/// The points that no other one beats in both, from the cheapest to the closest, into front
-/// [count]; returns how many.
+/// The Pareto front of cost and error, from the cheapest point to the most accurate one, into front
+/// [count]. Returns the number of its points.
 int advise_front(const Advice* advice, const AdvicePoint** front);
 
-/// What makes a scene the point's.
+/// Add the overrides that give a scene the settings of a point.
 void advise_sets(const World* world, const AdvicePoint* point, Overrides* sets);
 
 typedef struct AdviseOptions {
     const char* scene;
     const SceneSet* set;
     int set_count;
-    double error; ///< asked for [1]; 0: not
-    double ms;    ///< of a frame [ms]; 0: not asked for
-    bool fresh;   ///< measure again
-    bool report;  ///< print lines for programs: "set KEY=VALUE", "says SENTENCE", and what comes
-                  ///< nearest where the request cannot be met
-    const char* precision; ///< only points of this one; NULL: of any
+    double error; ///< requested maximum error [1]; 0: request `ms`
+    double ms;    ///< requested maximum CPU time of a frame [ms]
+    bool fresh;   ///< measure, even if the cache has the scene
+    bool
+        report; ///< print lines for programs, "set KEY=VALUE" and "says SENTENCE"; the nearest point
+                ///< where none meets the request
+    const char* precision; ///< only points of this precision; NULL: of both
     const char* out;       ///< file for the scene; NULL: standard output
 } AdviseOptions;
 
-/// Write the scene as advised, what is expected of it in its head. Where it cannot be had, the
-/// fault says what the best is.
+/// Write the advised scene, with its promised error and cost in a comment at its head. If no point
+/// meets the request, the fault names the nearest one.
 bool advise_run(const AdviseOptions* options, Fault* fault);
 
-/// Whether the points of the scene are kept, so that advice takes no time.
-bool advise_is_kept(const AdviseOptions* options);
+/// Whether the cache has the points of the scene, so that advice takes no time.
+bool advise_is_cached(const AdviseOptions* options);
 
-/// The same for a scene that is about to be opened: its overrides, or those of what comes nearest.
+/// Advice for a scene that is about to be opened: the overrides of the point, or of the nearest one
+/// where none meets the request.
 bool advise_auto(const AdviseOptions* options, Overrides* sets, Fault* fault);
 
-// --- within: measuring (advise_measure.c) and keeping (advise_cache.c) ---
+// --- internal: measurement (advise_measure.c) and cache (advise_cache.c) ---
 
 bool advise_measure(const char* scene, const SceneSet* set, int set_count, Advice* advice,
                     Fault* fault);
 
-/// What was kept of a scene that is about so many outputs. False where nothing is kept that fits: a
-/// file that is damaged, of another machine or program, or that no measurement could have written is
-/// ignored. text: the scene with nothing left to guess (scene_text).
-bool advise_recall(const char* text, int outputs, Advice* advice);
+/// Read the advice of a scene with so many outputs from the cache. False if the cache has none: a file
+/// is ignored if it is damaged, comes from another machine or program, or has values that no
+/// measurement gives. text: the scene with all its keys (scene_text).
+bool advise_cache_read(const char* text, int outputs, Advice* advice);
 
-/// Keep it where the system keeps caches; where that cannot be done, the reason is printed.
-void advise_keep(const char* text, const Advice* advice);
+/// Write the advice to the cache; print the reason if that fails.
+void advise_cache_write(const char* text, const Advice* advice);
 
 #endif

@@ -12,26 +12,27 @@
 #include "lab/advice/advise.h"
 #include "lab/run/machine.h"
 
-enum { NUMBERS_MOST = 1000, POINTS_MOST = 10000, FILE_BYTES_MOST = 1 << 21 };
+enum { MAX_NUMBERS = 1000, MAX_POINTS = 10000, MAX_FILE_BYTES = 1 << 21 };
 
-/// Scenes whose numbers differ by more are others. [1]
-static const double alike = 0.2;
+/// Maximum relative difference of two numbers for the advice of one scene to be valid for the other.
+/// [1]
+static const double number_tolerance = 0.2;
 
-/// A scene's words, hashed, and its numbers.
+/// What is compared of a scene: a hash of its text without the numbers, and the numbers.
 typedef struct Likeness {
     uint64_t words;
-    double number[NUMBERS_MOST];
+    double number[MAX_NUMBERS];
     int count;
 } Likeness;
 
-/// text has every scalar in quotes, so that a number is what stands alone between two.
+/// text: has every scalar in quotes, so that a number is a quoted text of digits alone.
 static void likeness_of(const char* text, Likeness* likeness) {
     *likeness = (Likeness){.words = HASH_START};
     for (const char* c = text; *c; c++) {
         char* end;
         const bool digit = *c == '"' && c[1] && strchr("0123456789+-.", c[1]);
         const double number = digit ? strtod(c + 1, &end) : 0;
-        if (digit && end > c + 1 && *end == '"' && likeness->count < NUMBERS_MOST) {
+        if (digit && end > c + 1 && *end == '"' && likeness->count < MAX_NUMBERS) {
             likeness->number[likeness->count++] = number;
             c = end;
         }
@@ -63,7 +64,7 @@ static bool make_folders(const char* folder) {
     }
 }
 
-/// The first line: the machine, and the program that was measured, which changes when it is built.
+/// The first line: the machine, and size and time of the measured program, which change with each build.
 static void write_title(char* line, size_t size) {
     char program[512];
     struct stat status = {0};
@@ -75,12 +76,12 @@ static void write_title(char* line, size_t size) {
 }
 
 static bool title_fits(FILE* in) {
-    char line[512], kept[512];
+    char line[512], cached[512];
     write_title(line, sizeof line);
-    if (!fgets(kept, sizeof kept, in))
+    if (!fgets(cached, sizeof cached, in))
         return false;
-    kept[strcspn(kept, "\n")] = '\0';
-    return strcmp(kept, line) == 0;
+    cached[strcspn(cached, "\n")] = '\0';
+    return strcmp(cached, line) == 0;
 }
 
 static bool numbers_fit(const Likeness* likeness, FILE* in) {
@@ -88,9 +89,10 @@ static bool numbers_fit(const Likeness* likeness, FILE* in) {
     if (fscanf(in, "numbers %d", &count) != 1 || count != likeness->count)
         return false;
     for (int k = 0; k < count; k++) {
-        double kept;
-        if (fscanf(in, "%lf", &kept) != 1 || !(fabs(kept - likeness->number[k]) <=
-                                               alike * fmax(fabs(kept), fabs(likeness->number[k]))))
+        double cached;
+        if (fscanf(in, "%lf", &cached) != 1 ||
+            !(fabs(cached - likeness->number[k]) <=
+              number_tolerance * fmax(fabs(cached), fabs(likeness->number[k]))))
             return false;
     }
     return true;
@@ -107,21 +109,21 @@ static bool read_reference(Advice* advice, int outputs, FILE* in) {
     return true;
 }
 
-/// Whether the program could have measured this. Every comparison with NAN is false.
+/// Whether the values can be results of a measurement. Every comparison with NAN is false.
 static bool is_possible(const AdvicePoint* p) {
     return method_find(p->method) &&
            (strcmp(p->precision, "float") == 0 || strcmp(p->precision, "double") == 0) &&
-           abs(p->level) < 10 && p->step > 0 && p->step <= 1 && p->error >= 0 && p->ms >= 0;
+           abs(p->refinement) < 10 && p->step > 0 && p->step <= 1 && p->error >= 0 && p->ms >= 0;
 }
 
 static bool read_points(Advice* advice, FILE* in) {
     int count;
-    if (fscanf(in, " points %d", &count) != 1 || count < 1 || count > POINTS_MOST)
+    if (fscanf(in, " points %d", &count) != 1 || count < 1 || count > MAX_POINTS)
         return false;
     advice->point = new_array(AdvicePoint, count);
     for (; advice->count < count; advice->count++) {
         AdvicePoint* p = &advice->point[advice->count];
-        if (fscanf(in, " %23[^,],%7[^,],%d,%lf,%lf,%lf", p->method, p->precision, &p->level,
+        if (fscanf(in, " %23[^,],%7[^,],%d,%lf,%lf,%lf", p->method, p->precision, &p->refinement,
                    &p->step, &p->error, &p->ms) != 6 ||
             !is_possible(p))
             return false;
@@ -131,7 +133,7 @@ static bool read_points(Advice* advice, FILE* in) {
 
 static const char hash_line[] = "hash ";
 
-/// Cut off the last line, which has the hash of all before it. False where it does not.
+/// Cut off the last line, which must hold the hash of the text before it. False if it does not.
 static bool check_hash(char* text, size_t size) {
     size_t at = size;
     while (at > 0 && !(text[at - 1] == '\n' && at < size))
@@ -144,14 +146,14 @@ static bool check_hash(char* text, size_t size) {
     return good;
 }
 
-/// The file's text, without its hash; NULL where there is none that is whole.
+/// The file's text without its hash; NULL if the file is missing or its hash is wrong.
 static char* read_file(const char* file) {
     Fault unused = {0};
     FILE* in = input_file_open(file, &unused);
     if (!in)
         return NULL;
-    char* text = new_array(char, FILE_BYTES_MOST + 1);
-    const size_t size = fread(text, 1, FILE_BYTES_MOST, in);
+    char* text = new_array(char, MAX_FILE_BYTES + 1);
+    const size_t size = fread(text, 1, MAX_FILE_BYTES, in);
     fclose(in);
     if (check_hash(text, size))
         return text;
@@ -159,7 +161,7 @@ static char* read_file(const char* file) {
     return NULL;
 }
 
-bool advise_recall(const char* scene, int outputs, Advice* advice) {
+bool advise_cache_read(const char* scene, int outputs, Advice* advice) {
     Likeness likeness;
     char folder[400], file[512];
     *advice = (Advice){0};
@@ -190,8 +192,8 @@ static char* text_of(const Likeness* likeness, const Advice* advice) {
     fprintf(out, "\npoints %d\n", advice->count);
     for (int k = 0; k < advice->count; k++) {
         const AdvicePoint* p = &advice->point[k];
-        fprintf(out, "%s,%s,%d,%.17g,%.17g,%.17g\n", p->method, p->precision, p->level, p->step,
-                p->error, p->ms);
+        fprintf(out, "%s,%s,%d,%.17g,%.17g,%.17g\n", p->method, p->precision, p->refinement,
+                p->step, p->error, p->ms);
     }
     fflush(out);
     const uint64_t hash = hash_bytes(HASH_START, text, size);
@@ -200,7 +202,7 @@ static char* text_of(const Likeness* likeness, const Advice* advice) {
     return text;
 }
 
-/// Write beside the file, then put it in the file's place: nobody reads a half.
+/// Write a temporary file beside the file, then rename it, so that other processes never read a part.
 static bool replace_file(const char* file, const char* text) {
     char beside[540];
     snprintf(beside, sizeof beside, "%s.%ld", file, (long)getpid());
@@ -208,8 +210,8 @@ static bool replace_file(const char* file, const char* text) {
     if (!out)
         return false;
     fputs(text, out);
-    const bool whole = !ferror(out);
-    if (fclose(out) == 0 && whole && rename(beside, file) == 0)
+    const bool complete = !ferror(out);
+    if (fclose(out) == 0 && complete && rename(beside, file) == 0)
         return true;
     const int reason = errno;
     unlink(beside);
@@ -217,7 +219,7 @@ static bool replace_file(const char* file, const char* text) {
     return false;
 }
 
-void advise_keep(const char* scene, const Advice* advice) {
+void advise_cache_write(const char* scene, const Advice* advice) {
     Likeness likeness;
     char folder[400], file[512];
     likeness_of(scene, &likeness);

@@ -1,4 +1,4 @@
-/// Advice that is measured by a process of its own while a scene is played as it is.
+/// Advice measured by another process while the scene is played with its own settings.
 #ifndef BALLOON_LAB_ADVICE_ADVISE_LATER_H
 #define BALLOON_LAB_ADVICE_ADVISE_LATER_H
 
@@ -7,17 +7,17 @@
 
 typedef struct AdviseLater {
     Launch launch; ///< of `balloon advise --report`, in this program's precision
-    bool waiting;  ///< it was begun, and its result was not fetched yet
+    bool waiting;  ///< the process was started, and its result was not read yet
 } AdviseLater;
 
-/// Begin to measure. The process ends with this one.
+/// Start the measurement. Its process ends with this one.
 bool advise_later_begin(AdviseLater* later, const AdviseOptions* options, Fault* fault);
 
-/// True once, when the measurement has ended: the overrides of the advice, none where there is no
-/// advice, and a sentence about it.
+/// Returns true once, when the measurement has ended. sets: the overrides of the advice, none if it
+/// failed; sentence: its promise, or why it failed.
 bool advise_later_ended(AdviseLater* later, Overrides* sets, char* sentence, size_t size);
 
-/// End what goes on.
+/// End a measurement that still runs.
 void advise_later_close(AdviseLater* later);
 
 #endif

@@ -8,16 +8,16 @@
 
 const double ADVISE_SECONDS_MAX = 120, ADVISE_COST_MAX = 1500;
 
-/// The launch ends no run that is within this of its end. [s]
-static const double wall_least = 0.1;
+/// Minimum wall time of a run, because a launch reads 0 as no limit. [s]
+static const double min_wall = 0.1;
 
-double study_time_left(const Study* study, double share) {
+double study_time_remaining(const Study* study, double share) {
     const double used = clock_seconds(CLOCK_MONOTONIC) - study->start;
     return fmax(share * ADVISE_SECONDS_MAX - used, 0);
 }
 
-AdvicePoint advise_point(const char* method, const char* precision, int level, double step) {
-    AdvicePoint point = {.level = level, .step = step};
+AdvicePoint advise_point(const char* method, const char* precision, int refinement, double step) {
+    AdvicePoint point = {.refinement = refinement, .step = step};
     snprintf(point.method, sizeof point.method, "%s", method);
     snprintf(point.precision, sizeof point.precision, "%s", precision);
     return point;
@@ -44,7 +44,7 @@ static bool command(const Study* study, const AdvicePoint* point, double seconds
 
 bool study_run(const Study* study, const AdvicePoint* point, double seconds, double cpu_max,
                double wall_max, double value[], Report* report, Fault* fault) {
-    Launch launch = {.cpu_max = cpu_max, .wall_max = fmax(wall_max, wall_least)};
+    Launch launch = {.cpu_max = cpu_max, .wall_max = fmax(wall_max, min_wall)};
     const bool good =
         command(study, point, seconds, &launch, fault) && launch_all(&launch, 1, 1, NULL, fault);
     if (good) {
@@ -56,9 +56,9 @@ bool study_run(const Study* study, const AdvicePoint* point, double seconds, dou
     return good;
 }
 
-int study_points_at(const Study* study, int level) {
+int study_points_at(const Study* study, int refinement) {
     Overrides sets = {.count = 0};
-    if (level != 0 && !refinement_add(&study->world, level, &sets))
+    if (refinement != 0 && !refinement_add(&study->world, refinement, &sets))
         return 0;
     SceneSet set[MAX_OVERRIDES * 2];
     int count = 0, points = 0;

@@ -12,28 +12,28 @@
 #include "lab/run/result_file.h"
 #include "world/world.h"
 
-enum { ROUNDS = 3, OUTPUTS_MOST = 16 };
+enum { ROUNDS = 3, MAX_OUTPUTS = 16 };
 
-/// UNTRIED: the guard split a longer step into the scene's own, so that nothing was made simpler.
+/// UNTRIED: the guard split the longer step into the scene's own, so that nothing was simplified.
 typedef enum Verdict { UNNEEDED, NEEDED, UNTRIED } Verdict;
 
-/// The scene as it is, or without one part.
+/// A run of the scene, complete or without one part.
 typedef struct Need {
-    NeedsPart part; ///< of the first of all: nothing is missing
+    NeedsPart part; ///< the missing part; empty for the complete scene
     Launch launch;
-    double value[OUTPUTS_MOST];  ///< NAN: this run does not have it
-    double change[OUTPUTS_MOST]; ///< [tolerances]
-    double ms;                   ///< CPU time per simulated second, the least of all rounds
-    int parts;                   ///< in which the guard had a step made
-    bool ended;                  ///< it came to its end
+    double value[MAX_OUTPUTS];  ///< NAN: this run lacks it
+    double change[MAX_OUTPUTS]; ///< [tolerances]
+    double ms;                  ///< CPU time per simulated second, minimum over the rounds [ms]
+    int substeps;               ///< largest number into which the guard divided a step
+    bool ended;                 ///< the run reached its end
     Verdict verdict;
-    const char* because; ///< the scene's reason; NULL: none
+    const char* because; ///< the scene's reason to keep the part; NULL: none
 } Need;
 
 typedef struct Needs {
     const NeedsOptions* options;
     World world; ///< the scene, before its first step
-    Need* need;  ///< [count] the scene as it is comes first
+    Need* need;  ///< [count] the first is the complete scene
     int count;
     int capacity;
     unsigned outputs;
@@ -82,13 +82,13 @@ static bool add_need(Needs* needs, const NeedsPart* part, Fault* fault) {
     return command(needs, &sets, &need->launch, fault);
 }
 
-static void take(Needs* needs, Need* need) {
+static void read_results(Needs* needs, Need* need) {
     Report report;
     report_read(&report, &need->launch);
     for (unsigned k = 0; k < needs->outputs; k++)
         need->value[k] = report_output(&report, k);
     need->ended = report.ended;
-    need->parts = report.substeps;
+    need->substeps = report.substeps;
     need->ms = fmin(need->ms, report.ms);
     report_free(&report);
 }
@@ -103,7 +103,7 @@ static bool run_all(Needs* needs, Fault* fault) {
         for (int k = 0; k < needs->count; k++) {
             needs->need[k].launch = launch[k];
             if (good)
-                take(needs, &needs->need[k]);
+                read_results(needs, &needs->need[k]);
         }
     }
     free(launch);
@@ -112,24 +112,24 @@ static bool run_all(Needs* needs, Fault* fault) {
 
 // --- the verdict ---------------------------------------------------------------------------------
 
-/// A step that is split until it is no longer than before was not made longer.
-static bool is_simpler(const Need* need, const Need* whole) {
-    return strcmp(need->part.name, "step") != 0 || need->parts < 2 * whole->parts;
+/// Whether the part was simplified: a doubled step was not if the guard made twice as many substeps.
+static bool is_simpler(const Need* need, const Need* complete) {
+    return strcmp(need->part.name, "step") != 0 || need->substeps < 2 * complete->substeps;
 }
 
-/// The verdict follows from the changes alone; a run that did not come to its end has none.
+/// The verdict follows from the changes; a part whose run did not reach its end is needed.
 static void judge(Needs* needs) {
-    const Need* whole = &needs->need[0];
+    const Need* complete = &needs->need[0];
     for (int n = 1; n < needs->count; n++) {
         Need* need = &needs->need[n];
         need->verdict = need->ended ? UNNEEDED : NEEDED;
         for (unsigned k = 0; k < needs->outputs; k++) {
-            const double size = needs->world.def.about[k].tolerance * fabs(whole->value[k]);
-            need->change[k] = fabs(need->value[k] - whole->value[k]) / size;
+            const double size = needs->world.def.about[k].tolerance * fabs(complete->value[k]);
+            need->change[k] = fabs(need->value[k] - complete->value[k]) / size;
             if (!(need->change[k] < 1))
                 need->verdict = NEEDED;
         }
-        if (need->ended && !is_simpler(need, whole))
+        if (need->ended && !is_simpler(need, complete))
             need->verdict = UNTRIED;
     }
 }
@@ -142,8 +142,8 @@ static bool can_be_judged(const Needs* needs, Fault* fault) {
         return fault_set(fault, def->file,
                          "it does not say what it is about, as in about: "
                          "[{output: balloon0.volume, at: 5, tolerance: 0.02}]");
-    if (def->about_count > OUTPUTS_MOST)
-        return fault_set(fault, def->file, "it is about more than %d outputs", OUTPUTS_MOST);
+    if (def->about_count > MAX_OUTPUTS)
+        return fault_set(fault, def->file, "it is about more than %d outputs", MAX_OUTPUTS);
     for (unsigned k = 0; k < def->because_count; k++)
         if (!needs_part_exists(def->because[k].part))
             return fault_set(fault, def->file, "because: there is no part '%s'",
@@ -151,21 +151,21 @@ static bool can_be_judged(const Needs* needs, Fault* fault) {
     return true;
 }
 
-/// The whole scene has all its outputs, and none of them is 0, which has no tolerance.
+/// The run of the complete scene has all outputs, and none is 0, which has no relative tolerance.
 static bool has_outputs(const Needs* needs, Fault* fault) {
-    const Need* whole = &needs->need[0];
-    if (!whole->ended)
+    const Need* complete = &needs->need[0];
+    if (!complete->ended)
         return fault_set(fault, needs->world.def.file, "it does not come to its end: %s",
-                         whole->launch.err);
+                         complete->launch.err);
     for (unsigned k = 0; k < needs->outputs; k++)
-        if (!(fabs(whole->value[k]) > 0))
+        if (!(fabs(complete->value[k]) > 0))
             return fault_set(fault, needs->world.def.file,
                              "about: %s is no number that has a tolerance",
                              needs->world.def.about[k].output);
     return true;
 }
 
-// --- what is said --------------------------------------------------------------------------------
+// --- the table -----------------------------------------------------------------------------------
 
 static const char* verdict_of(const Need* need) {
     return need->verdict == UNTRIED  ? "untried: the guard splits it to the scene's own"
@@ -207,13 +207,13 @@ static void print_table(const Needs* needs) {
         print_need(needs, &needs->need[n]);
 }
 
-/// The output that changes most [tolerances].
-static unsigned worst(const Needs* needs, const Need* need) {
-    unsigned most = 0;
+/// The output with the largest change.
+static unsigned most_changed(const Needs* needs, const Need* need) {
+    unsigned max = 0;
     for (unsigned k = 0; k < needs->outputs; k++)
-        if (!(need->change[k] <= need->change[most]))
-            most = k;
-    return most;
+        if (!(need->change[k] <= need->change[max]))
+            max = k;
+    return max;
 }
 
 static void write_rows(const Needs* needs, FILE* out) {
@@ -221,7 +221,7 @@ static void write_rows(const Needs* needs, FILE* out) {
     scene_name(needs->world.def.file, name);
     for (int n = 1; n < needs->count; n++) {
         const Need* need = &needs->need[n];
-        const unsigned k = worst(needs, need);
+        const unsigned k = most_changed(needs, need);
         const double tolerance = needs->world.def.about[k].tolerance;
         static const char* const needed[] = {"0", "1", ""};
         fprintf(out, "%s,%s,%.6g,%g,%.3g,%s,\"%s\"\n", name, need->part.name,
@@ -230,7 +230,7 @@ static void write_rows(const Needs* needs, FILE* out) {
     }
 }
 
-/// Add ", name" for each part that is unneeded without a reason.
+/// Append the names of the unneeded parts that the scene gives no reason for.
 static void name_unneeded(const Needs* needs, char* names, size_t size) {
     for (int n = 1; n < needs->count; n++) {
         const Need* need = &needs->need[n];
@@ -280,8 +280,8 @@ static bool one_scene(const char* scene, const NeedsOptions* options, FILE* csv,
     return good;
 }
 
-/// 1, 0, or -1 with a fault where it does not load.
-static int is_about_some(const char* path, Fault* fault) {
+/// Whether the scene names outputs: 1, 0, or -1 with a fault if it does not load.
+static int names_outputs(const char* path, Fault* fault) {
     WorldDef def;
     if (!scene_load(path, NULL, 0, &def, fault))
         return -1;
@@ -298,7 +298,7 @@ static bool all_scenes(const NeedsOptions* options, FILE* csv, Fault* fault) {
     for (int k = 0; k < count; k++) {
         char name[256], unneeded[512] = "";
         scene_name(path[k], name);
-        const int some = good ? is_about_some(path[k], fault) : 0;
+        const int some = good ? names_outputs(path[k], fault) : 0;
         good = good && some >= 0 &&
                (!some || one_scene(path[k], options, csv, unneeded, sizeof unneeded, fault));
         const size_t used = strlen(all);

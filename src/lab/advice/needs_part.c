@@ -8,7 +8,7 @@
 #include "mesh/measure.h"
 #include "scene/key.h"
 
-// --- what is beside the balloons -----------------------------------------------------------------
+// --- surroundings and skins ----------------------------------------------------------------------
 
 static void gravity(const World* world, Overrides* sets) {
     if (scene_gravity(&world->def) != 0)
@@ -29,9 +29,9 @@ static bool is_of_triangles(const Mesh* mesh) {
     return 2 * triangles > mesh->face_count;
 }
 
-/// Springs that stretch like the rubber when it is stretched alike in all directions, B = 2 E h:
-/// on square cells kd = E h/2 and ks + 4 kf = E h, a third of that in flexion; on triangles of
-/// equal sides, where only sides are, B = sqrt(3) k.
+/// Springs with the equibiaxial stiffness of the rubber, B = 2 E h: on square cells kd = E h/2 and
+/// ks + 4 kf = E h with a third of it in flexion; on equilateral triangles, which have structural
+/// springs only, B = sqrt(3) k.
 static void membrane(const World* world, Overrides* sets) {
     for (unsigned b = 0; b < world->def.balloons_count; b++) {
         const MembraneDef* rubber = world->def.balloons[b].skin.membrane;
@@ -55,8 +55,8 @@ static void membrane(const World* world, Overrides* sets) {
 
 // --- the gas -------------------------------------------------------------------------------------
 
-/// A pressure that does not change with the size: what the law says of the first size. A gas in air
-/// has atmospheres then, and no skin holds them.
+/// A constant pressure: that of the law at the initial size. A gas in air is left as it is, because a
+/// constant amount / V0 would include the atmosphere.
 static void law(const World* world, Overrides* sets) {
     for (unsigned b = 0; b < world->def.balloons_count; b++) {
         const InflationDef* def = world->def.balloons[b].inflation;
@@ -136,7 +136,7 @@ static NeedsPart part_without(const char* path, const char* name, const char* pa
     return part;
 }
 
-/// Each force that has parameters, and each of those where it has several at once.
+/// One part for each force with parameters, and one for each parameter of a force that can have several.
 static bool part_of_force(int index, NeedsPart* part) {
     for (int k = 0; k < force_count; k++) {
         const Force* force = force_table[k];
@@ -160,7 +160,7 @@ static bool is_named_before(int m, const char* name) {
     return false;
 }
 
-/// Each parameter of a material that does nothing where it is 0.
+/// One part for each material parameter whose default is 0: with that it has no effect.
 static bool part_of_material(int index, NeedsPart* part) {
     for (int m = 0; m < material_count; m++)
         for (int p = 0; p < material_table[m]->parameter_count; p++) {
@@ -198,12 +198,12 @@ bool needs_part_exists(const char* name) {
     return false;
 }
 
-// --- what a key's part overrides -----------------------------------------------------------------
+// --- the overrides of a part with a key ----------------------------------------------------------
 
-/// Numbers beside one of a mapping that are not 0.
+/// The number of finite numbers in the mapping that contains `path`.
 typedef struct Siblings {
     const char* path;
-    size_t length; ///< of the mapping's path and its dot
+    size_t length; ///< length of the mapping's path and its dot
     int count;
 } Siblings;
 

@@ -1,5 +1,5 @@
-/// What a scene models and could do without: a table of parts, each with the overrides that take it
-/// out of the scene, or put the next simpler thing in its place. A part is of all balloons at once.
+/// The parts of a model: a table, each row with the overrides that remove it from a scene or replace it
+/// by a simpler model, in all balloons at once.
 #ifndef BALLOON_LAB_ADVICE_NEEDS_PART_H
 #define BALLOON_LAB_ADVICE_NEEDS_PART_H
 
@@ -8,27 +8,26 @@
 
 typedef struct NeedsPart {
     char name[64];
-    const char* instead; ///< what is run: "without it", "half as many points each way"
+    const char* instead; ///< the replacement, for the table: "without it", "twice as long"
 
-    /// A key whose values are made 0, or are removed where they are no numbers: "balloons.*.helium";
-    /// "": what `simplify` does.
+    /// A key, such as "balloons.*.helium", whose numbers are set to 0 and whose other values are
+    /// removed; "": use `simplify`.
     char key[64];
 
-    /// Fill the overrides; none where the scene does not have this part. The world is open and has
-    /// made no step.
+    /// Add the overrides; none if the scene lacks this part. The world is open and at its first state.
     void (*simplify)(const World* world, Overrides* sets);
 
-    bool several; ///< only where another number of that key's mapping is not 0 either
+    bool several; ///< remove a value only if its mapping has another number that is not 0
 } NeedsPart;
 
-/// Part `index` of the table, after which come the forces and the parameters that can be 0; false
-/// after the last.
+/// Part `index`: of the table, then of the forces, then of material parameters whose default is 0.
+/// False after the last.
 bool needs_part_at(int index, NeedsPart* part);
 
-/// The overrides that take a part out of a scene; none where it does not have it.
+/// Add the overrides that simplify a part; none if the scene lacks it.
 void needs_part_simplify(const NeedsPart* part, const World* world, Overrides* sets);
 
-/// Whether there is a part of this name.
+/// Whether a part has this name.
 bool needs_part_exists(const char* name);
 
 #endif

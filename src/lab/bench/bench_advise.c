@@ -1,6 +1,6 @@
-/// Accuracy of `balloon advise`: scenes with a closed form, with parameters 10 % above or below those
-/// that were measured, are requested with an error or a cost; the promised error and cost are compared
-/// with the true error and the measured cost.
+/// Accuracy of `balloon advise`: advice is requested, for an error or a cost, for scenes with a closed
+/// form whose parameters are 10 % above or below the measured ones; the promised error and cost are
+/// compared with the true error and the measured cost.
 #include <math.h>
 #include <string.h>
 
@@ -14,7 +14,7 @@ enum { SETS = 2, RUNS = 3 };
 
 /// Allowed ratio of measured to promised cost. [1]
 static const double cost_margin = 1.5;
-/// Minimum share of satisfied requests: a promise kept, or refused. [1]
+/// Minimum share of requests whose promise was fulfilled, or that were refused. [1]
 static const double satisfied_min = 0.95;
 
 static const double requested_error[] = {0.05, 0.01, 0.002}; ///< [1]
@@ -146,7 +146,7 @@ static bool request_one(const RequestScene* request, double factor, const World*
     const double promise = advise_promise(advice, point);
     fflush(stdout);
     tally->satisfied += off <= promise && cost <= cost_margin * point->ms;
-    printf("%s,%d,%g,%s,%.3g,%.3g,%.3g,%.3g\n", point->method, point->level, point->step,
+    printf("%s,%d,%g,%s,%.3g,%.3g,%.3g,%.3g\n", point->method, point->refinement, point->step,
            point->precision, promise, off, point->ms, cost);
     return true;
 }

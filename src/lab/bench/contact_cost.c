@@ -17,8 +17,8 @@
 static const struct {
     const char* name;
     int spheres;
-    double away;  ///< distance of the balls from the skin at rest [radii of the balloon]
-    double limit; ///< wanted maximum cost of contacts alone [ms a step]
+    double gap;   ///< distance of the balls from the skin at rest [radii of the balloon]
+    double limit; ///< maximum cost of contacts alone, a requirement [ms a step]
 } case_table[] = {
     {"no ball", 0, 3, 0.05},   {"4 far away", 4, 3, 0.05}, {"16 far away", 16, 3, 0.05},
     {"4 touching", 4, 0, 0.5}, {"16 touching", 16, 0, 2},
@@ -73,9 +73,9 @@ static bool open_case(int c, int side, World* world, Fault* fault) {
         return false;
     const Body* body = &world->balloon[0].body;
     for (int k = 0; k < case_table[c].spheres; k++) {
-        const double away = 1 + ball_radius + case_table[c].away;
+        const double distance = 1 + ball_radius + case_table[c].gap;
         contacts_add(&world->contacts,
-                     &(Sphere){.x = to_real4(away * direction(k, case_table[c].spheres)),
+                     &(Sphere){.x = to_real4(distance * direction(k, case_table[c].spheres)),
                                .radius = (real)ball_radius,
                                .mass = (real)balls_to_skin * body->mass[0] * (real)body->count,
                                .friction = (real)0.3});
@@ -191,7 +191,7 @@ static bool measure(const BenchOptions* options, Fault* fault) {
         if (!time_ours(c, options->quick, &ours, fault) ||
             !time_peer(c, options->quick, &peer, fault))
             return false;
-        const bool touch = case_table[c].away <= 0;
+        const bool touch = case_table[c].gap <= 0;
         if (touch && (ours.touching < case_table[c].spheres || peer.touching == 0))
             return fault_set(fault, "bench contact-cost", "not all of %s did: %d, Bullet's %d",
                              case_table[c].name, ours.touching, peer.touching);

@@ -1,15 +1,14 @@
-/// What the guard holds: each shipped scene by each method at its own step and at 10 and 100 times
-/// that, with `guard: split`, for its whole length.
+/// The guard's results at long steps: each shipped scene by each method at its own step and at 10 and
+/// 100 times that, with `guard: split`, for its whole length.
 ///
-/// A cell is kept where the run ends and each balloon's last volume, of an open one the area, is
-/// right within 10 VOLUME_TOLERANCE: it lies so near the range of volumes that the reference has in
-/// the second half of the scene. The reference is the scene by its own method, at half its own step,
-/// in double. Where the scene is at rest by then the range is one volume. Where it rings, methods damp
-/// it more or less, and it may come to rest outside: as far again as the range is wide. A cell may also stop or be refused with a sentence. It may not end with exit
-/// status 0 and another volume. A run that takes too long for the table says at its limit how far it is.
+/// A cell passes if the run ends and the last volume (area of an open balloon) of each balloon is within
+/// 10 volume_tolerance of the range of the reference's volumes in the second half of the scene. The
+/// reference is the scene by its own method at half its own step, in double. If the scene is at rest by
+/// then, the range is one volume; if it still oscillates, methods damp it differently and may rest
+/// outside, so the range is extended by its width on both sides. A cell may also stop or be refused with
+/// a sentence. It fails with exit status 0 and another volume. A run beyond its CPU time counts apart.
 ///
-/// The scenes of the museum of failures are left out: they fail by what they are made for, and the
-/// tests run each of them.
+/// The scenes of the museum of failures are not included: they fail on purpose, and the tests run them.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -81,8 +80,8 @@ static void add_run(const Table* table, Launch* launch, const GuardScene* scene,
     launch_add(launch, "--step=%.17g", step);
 }
 
-/// How far a value lies outside the range of a column in the second half of the reference, and as
-/// much on both sides, relative to the column's largest number [1].
+/// Distance of a value from the range of a column in the second half of the reference, extended by its
+/// width on both sides, relative to the column's largest number [1].
 static double distance_from(const Report* reference, const char* column, double value) {
     double low = INFINITY, high = -INFINITY, size = 0;
     for (int r = 0; r < reference->rows; r++) {
@@ -96,16 +95,16 @@ static double distance_from(const Report* reference, const char* column, double 
 
 /// Largest error of the balloons' last volumes, or areas [1].
 static double volume_error(const Report* run, const Report* reference, unsigned balloons) {
-    double worst = 0;
+    double max = 0;
     for (unsigned b = 0; b < balloons; b++) {
         char column[32];
         snprintf(column, sizeof column, "balloon%u.volume", b);
         if (isnan(report_at(reference, column, 0)))
             snprintf(column, sizeof column, "balloon%u.area", b);
         const double error = distance_from(reference, column, report_at(run, column, -1));
-        worst = error > worst || isnan(error) ? error : worst;
+        max = error > max || isnan(error) ? error : max;
     }
-    return worst;
+    return max;
 }
 
 static void print_cell(Table* table, const GuardScene* scene, int cell, const Cell* of,
@@ -132,7 +131,7 @@ static void print_cell(Table* table, const GuardScene* scene, int cell, const Ce
     report_free(&report);
 }
 
-/// The reference and all cells of a scene, those of a word.
+/// Run the reference and the cells of a scene, those with a word in their names.
 static bool measure_scene(Table* table, const GuardScene* scene, Fault* fault) {
     Launch launch[CELLS_MAX + 1];
     Cell cell[CELLS_MAX];

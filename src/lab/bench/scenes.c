@@ -1,10 +1,10 @@
-/// A storm of scenes: shipped ones with one to three keys drawn at random over their whole range, as
-/// a user might mistype them. Each runs for a moment within limits of CPU time and memory, and ends
-/// with finite numbers, or with a sentence; never with a number that is not finite and exit status 0,
-/// with a signal or not at all.
+/// Random scenes: shipped ones with one to three values drawn at random over their whole ranges, as a
+/// user might mistype them. Each runs for a short time within limits of CPU time and memory, and must
+/// end with finite numbers or with a sentence; not with exit status 0 and a number that is not finite,
+/// not by a signal, and not beyond its limits.
 ///
-/// A scene belongs to its seed: `--only 17` runs one and prints its command line, `--only 0-499` a
-/// part of them.
+/// Each seed gives one scene: `--only 17` runs it and prints its command line, `--only 0-499` runs a
+/// range of seeds.
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,11 +22,11 @@ enum { SCENES = 10000, SCENES_QUICK = 32, BATCH = 64, PARALLEL = 2, KEYS_MAX = 3
 static const double seconds = 0.3; ///< simulated [s]
 static const double cpu_max = 2;   ///< of a run [s]
 
-/// Keys of what is shown and said of a scene, not of its motion; `seconds` is given to each run.
+/// Keys that are not drawn: they do not affect the motion, or, like `seconds`, are set for each run.
 static const char* const left_out[] = {"seconds", "camera", "about", "because",
                                        "fails",   "show",   "units", "precision"};
 
-/// The values of a scene that may be drawn: counted, or the one of number `index` drawn.
+/// The values of a scene that may be drawn: counts them, and draws the one with number `index`.
 typedef struct Draw {
     Random* random;
     Overrides* sets;
@@ -41,7 +41,7 @@ static double draw_between(Random* random, double low, double high) {
     return low + random_next(random) * (high - low);
 }
 
-/// A number of a range: an end of it, even between its ends, or of any magnitude.
+/// A random number of a range: one of its ends, uniform between them, or of random magnitude.
 static double draw_number(Random* random, const Parameter* range) {
     const double kind = random_next(random), magnitude = random_next(random);
     const bool bounded = isfinite(range->min) && isfinite(range->max);
@@ -98,7 +98,7 @@ static void visit(const KeyValue* value, void* context) {
     overrides_add(draw->sets, "%s=%s", value->path, text);
 }
 
-/// Draw a scene of the list and one to three of its values.
+/// Draw a scene and one to three of its values.
 static bool draw_scene(uint64_t seed, char* const* path, int count, char scene[256],
                        Overrides* sets, Fault* fault) {
     Random random = {seed};
@@ -117,7 +117,7 @@ static bool draw_scene(uint64_t seed, char* const* path, int count, char scene[2
     return true;
 }
 
-/// The part of the storm that is run, and its endings.
+/// The range of seeds that are run, and the numbers of their endings.
 typedef struct Part {
     char program[2][512]; ///< float, double
     char** path;          ///< [path_count] shipped scenes
@@ -171,7 +171,7 @@ static bool run_batch(Part* part, Fault* fault) {
     return good;
 }
 
-/// Seeds A-B of a word, or one.
+/// Read the seeds A-B, or one seed, from a word.
 static bool read_seeds(const char* word, bool quick, Part* part, Fault* fault) {
     unsigned long long first = 0, last = (quick ? SCENES_QUICK : SCENES) - 1;
     char rest;

@@ -1,6 +1,6 @@
-/// A soak test of what a user plays with: random keys and throws for a simulated hour, on two copies
-/// of a scene side by side; their input log is written. Both must reach the same state to the bit, no ball may pass through a
-/// skin, no scene may halt, and the memory of the process must stay what it was after ten minutes.
+/// A soak test with a user's input: random keys and throws for a simulated hour, applied to two copies
+/// of a scene; the input log is written. Both copies must reach the same state to the bit, no ball may
+/// pass through a skin, no scene may halt, and the memory of the process must not grow after ten minutes.
 #include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -20,11 +20,11 @@ enum {
 };
 
 static const double row_seconds[] = {60, 1}; ///< simulated, of a full and of a quick row [s]
-static const double press_seconds = 0.5;     ///< from a press to the next, and a ball with each
-static const double reset_share = 0.02;      ///< of the presses of that key that are kept [1]
+static const double press_seconds = 0.5;     ///< from a press, with a throw, to the next one
+static const double reset_share = 0.02;   ///< share of the drawn presses of reset that are made [1]
 static const double ball_size = 0.05;     ///< radius of the smallest ball, of a balloon's size [1]
 static const double max_speed = 100;      ///< [m/s]
-static const double memory_growth = 0.01; ///< what the memory may grow by [1]
+static const double memory_growth = 0.01; ///< maximum relative growth of the memory [1]
 
 /// The default scene, and the heaviest one that a core steps in real time.
 static const char* const scene_table[] = {"party", "crowd"};
@@ -35,7 +35,7 @@ typedef struct Soak {
     World world[COPIES];
     int opened;
     Random random;
-    double4 center; ///< of the sphere about all balloons at first [m]
+    double4 center; ///< of the sphere about all balloons in the initial state [m]
     double radius;  ///< its radius [m]
     int pressed;    ///< row of command_table whose key is down, or -1
     long throws;
@@ -102,8 +102,8 @@ static bool set_key(Soak* soak, bool down, Fault* fault) {
     return apply(soak, &event, fault);
 }
 
-/// Strain limits move particles outside of the forces that the guard knows: where they are on, a fast
-/// ball can make a skin explode.
+/// Strain limits move particles without a force that the guard could bound: with them a fast ball can
+/// make a skin explode.
 static bool is_left_out(const Command* command) {
     return strcmp(command->name, "correction") == 0 || strcmp(command->name, "tarantino") == 0;
 }
@@ -150,7 +150,7 @@ static bool throw_next(Soak* soak, Fault* fault) {
     return apply(soak, &event, fault);
 }
 
-/// Play for some simulated time, and hold the copies against each other.
+/// Step both copies for some simulated time and compare their states.
 static bool play(Soak* soak, double seconds, Fault* fault) {
     World* world = soak->world;
     const long steps = lround(seconds / world->step), every = lround(press_seconds / world->step);

@@ -26,10 +26,10 @@ bool storm_open(Storm* storm, uint64_t seed, Fault* fault);
 /// The events that are due, then a step of the world.
 bool storm_step(Storm* storm, Fault* fault);
 
-/// The number of balls around which the winding number of the skin, its solid angle over 4 pi, is no
-/// longer that at the throw. This checks the world's count of pass-throughs independently of contacts
-/// and CCD: the winding number around a point changes only when the skin crosses the point, even if
-/// the skin overlaps itself.
+/// Number of balls around which the winding number of the skin, its solid angle over 4 pi, differs from
+/// that at the throw. It checks the world's count of pass-throughs independently of contacts and CCD:
+/// the winding number around a point changes only when the skin crosses the point, even if the skin
+/// overlaps itself.
 int storm_astray(const Storm* storm);
 
 void storm_close(Storm* storm);

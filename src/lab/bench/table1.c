@@ -4,8 +4,8 @@
 /// Newton iterations with conjugate gradients to 1e-3, once with the step's equation solved to 1e-6.
 /// Source: the thin-shell balloon paper, Table 1, on one core of an i7 of 3.4 GHz.
 ///
-/// Applying p0 suddenly to a skin at rest buckles a skin with folds permanently. So the gas first
-/// rises from zero to its initial amount in as many frames, which are not counted.
+/// Applying p0 suddenly at rest would buckle a skin with folds permanently. So the gas first rises from
+/// zero to its initial amount in the same number of frames, which are not counted.
 #include <stdio.h>
 #include <string.h>
 

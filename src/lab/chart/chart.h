@@ -25,10 +25,10 @@ typedef struct ChartOptions {
 typedef struct ChartPoint {
     const ChartCase* chart;
     const ChartMeasure* measure;
-    char name[64];   ///< of the scene and, if it has several, of the measure
+    char name[64];   ///< the scene's and, if the case has several measures, the measure's
     char method[32]; ///< "bullet": the peer
     char skin[16];   ///< springs, membrane, or the peer's links
-    char law[32];    ///< of the springs, or the membrane's material
+    char law[32];    ///< the springs' law, or the membrane's material
     int vertices;
     double step; ///< [s]
     const char* precision;
@@ -37,7 +37,7 @@ typedef struct ChartPoint {
     double ms; ///< CPU time per simulated second [ms]
     double measured, truth, error;
     double floor; ///< error of the truth itself, 0 for closed forms
-    bool apart;   ///< of another law than the case's: not in the front of all points
+    bool apart;   ///< as in ChartSkin: not in the front of all points
     bool stable;  ///< the run reached its end
     int substeps; ///< largest number of substeps that the guard made of a step
     char hash[24];
@@ -49,14 +49,14 @@ enum { CHART_REFERENCES = 4 }; ///< runs of a case without a closed form
 
 /// All points of a chart and their runs; points may share a run.
 typedef struct ChartPlan {
-    ChartExtent extent; ///< what was planned of the whole chart
+    ChartExtent extent; ///< which part of the whole chart was planned
     ChartPoint* point;
     int points;
     Launch* launch;
     int launches;
     Launch* reference; ///< CHART_REFERENCES for each case without a closed form, in table order
     int references;
-    const ChartCase** referred; ///< [references / CHART_REFERENCES] these cases
+    const ChartCase** referred; ///< [references / CHART_REFERENCES] the cases of these runs
 } ChartPlan;
 
 bool chart_plan(ChartPlan* plan, const ChartOptions* options, Fault* fault);
@@ -65,14 +65,14 @@ void chart_plan_free(ChartPlan* plan);
 /// Make all runs, for errors in parallel, for times one at a time, and fill in the points.
 bool chart_measure(ChartPlan* plan, Fault* fault);
 
-/// Bullet's own soft body.
+/// The name of Bullet's own soft body in the column `method`.
 extern const char chart_peer_name[];
 bool chart_is_peer(const ChartPoint* point);
 
 /// A line of a chart: one method on one skin.
 bool chart_same_line(const ChartPoint* a, const ChartPoint* b);
 
-/// The end of the range of points with this point's name, which are contiguous.
+/// One past the last point with the name of point `from`; points of one name are contiguous.
 int chart_end(const ChartPlan* plan, int from);
 
 /// Whether chart.csv, front.csv and chart.md may be written.

@@ -1,29 +1,30 @@
-/// The pressure over the stretch, l = 1.1 to 3: springs with both laws, membranes of every
-/// material. A closed gas of the amount that stretches rubber so far holds the size; its gauge
-/// pressure at rest is what the skin's law says. A membrane's truth is its own law's closed form,
-/// and other laws than rubber's stand apart from the best; that of springs is rubber's, for which
-/// they stand, Hooke's fitted to it at l = 1.1.
+/// Pressure against stretch, l = 1.1 to 3, for springs of both laws and membranes of every material.
+/// Each skin holds the amount of gas with which a neo-Hookean balloon rests at stretch l, and its gauge
+/// pressure at rest is measured. The truth for a membrane is the closed form of its own material at that
+/// amount; materials other than neo-Hookean are not in the front of all points. Springs approximate
+/// neo-Hookean rubber and are compared with it; Hooke's are fitted to it at l = 1.1.
 #include "lab/chart/chart_sphere.h"
 
-static const double fitted_at = 1.1; ///< [l]
+static const double fit_stretch = 1.1; ///< l at which Hooke's springs are fitted [1]
 
 static double hooke_sheet(void) {
     const TruthBalloon rubber = truth_balloon_default();
-    return rubber_sheet() * truth_springs_fitted(&rubber, fitted_at).springs / rubber.springs;
+    return rubber_sheet() * truth_springs_fitted(&rubber, fit_stretch).springs / rubber.springs;
 }
 
-/// The amount of gas that stretches rubber to l, in what fills the balloon: l^3 (1 + p/p_atm).
+/// Amount of gas with which rubber rests at stretch l, in amounts that fill the balloon unstretched:
+/// l^3 (1 + p/p_atm).
 static double amount_for(double l) {
     const TruthBalloon rubber = truth_balloon_default();
     return l * l * l * (1 + truth_pressure(&rubber, l) / rubber.ambient);
 }
 
-/// Of a membrane; springs stand for rubber.
+/// The law of a membrane's material; springs approximate rubber.
 static const TruthLaw* law_of(const ChartSkin* skin) {
     return truth_law_find(skin->material ? skin->material : "neo-hookean");
 }
 
-/// Its pressure at rest with that gas.
+/// Pressure at rest of a skin with the gas that stretches rubber to l.
 static double pressure_for(const ChartSkin* skin, double l) {
     TruthBalloon balloon = truth_balloon_default();
     balloon.law = law_of(skin);
@@ -55,13 +56,13 @@ static const ChartResolution curve_of_links[] = {
 };
 // clang-format on
 
-/// A membrane of another material than the scene's, and the material's own parameter.
+/// A membrane of another material than the scene's, with the material's own parameter.
 #define MEMBRANE(name, parameter)                                                                  \
     .set = {"balloons.0.skin={membrane: {material: " name ", " parameter                           \
             ", young: 1e6, density: 1000, thickness: 3e-4}}"},                                     \
     .material = name
 
-/// A row of the curve.
+/// The measure at one stretch.
 #define CURVE(l)                                                                                   \
     {                                                                                              \
         .name = #l, .about = "pressure at l = " #l, .at = l,                                       \

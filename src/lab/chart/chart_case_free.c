@@ -1,4 +1,5 @@
-/// What must not depend on step and mesh, and what a balloon must not do by itself.
+/// Cases of invariance: results that must not depend on step and mesh, and motions that a free balloon
+/// must not begin.
 #include "base/vec.h"
 #include "lab/chart/chart_sphere.h"
 

@@ -4,9 +4,9 @@
 #include "lab/chart/chart_case.h"
 #include "lab/truth/truth.h"
 
-static const double cube_end = 0.02; ///< [s] one and a quarter swings of 0.0168 s
+static const double cube_end = 0.02; ///< [s] one and a quarter periods of 0.0168 s
 
-/// The corner's way out, from the volume (2 r/sqrt 3)^3.
+/// Displacement of a corner, from the volume (2 r/sqrt 3)^3.
 static double cube_growth(const Report* report, double at) {
     (void)at;
     const double side = cbrt(report_at_time(report, "balloon0.volume", cube_end));
@@ -209,12 +209,12 @@ const ChartCase chart_tether = {
 
 // --- the squirrel ------------------------------------------------------------------------------
 
-static const double turning = 4; ///< [s] on its way
-static const double knot = -4;   ///< [m] height where the string is tied
+static const double turning = 4; ///< [s] in the middle of its rotation
+static const double anchor = -4; ///< [m] height of the string's anchor
 
 static double squirrel_height(const Report* report, double at) {
     (void)at;
-    return report_at_time(report, "balloon0.cy", turning) - knot;
+    return report_at_time(report, "balloon0.cy", turning) - anchor;
 }
 
 // clang-format off

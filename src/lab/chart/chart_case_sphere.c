@@ -80,7 +80,7 @@ static double pressure_truth(const ChartSkin* skin, double at) {
     return truth_stretch_pressure(&balloon, 1108.503372);
 }
 
-/// Where the swing is small and not yet lost in rounding. [s]
+/// The times at which the oscillation is small, and large against rounding. [s]
 static const double swing_from = 0.1, swing_to = 0.2;
 
 /// Determinant of the rows of a symmetric matrix.
@@ -89,7 +89,7 @@ static double determinant(const double* a, const double* b, const double* c) {
            a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Symmetric m x = b of three rows, by Cramer's rule: rows stand for columns.
+/// Solve m x = b for a symmetric m of three rows, by Cramer's rule; its rows are also its columns.
 static void solve_three(const double m[3][3], const double b[3], double x[3]) {
     const double whole = determinant(m[0], m[1], m[2]);
     x[0] = determinant(b, m[1], m[2]) / whole;
@@ -97,10 +97,11 @@ static void solve_three(const double m[3][3], const double b[3], double x[3]) {
     x[2] = determinant(m[0], m[1], b) / whole;
 }
 
-/// A decaying swing about a constant, sampled every dt, obeys y_(k+1) = p y_k + q y_(k-1) + r:
-/// least squares give p and q (Prony), whose roots z = exp(s dt) give w = |s|, whatever damps it.
+/// A damped oscillation about a constant, sampled every dt, satisfies y_(k+1) = p y_k + q y_(k-1) + r:
+/// least squares give p and q (Prony's method); their roots z = exp(s dt) give w = |s|, the undamped
+/// frequency.
 static double breathing(const Report* report, double at) {
-    const double mean = last_stretch(report, at); // off, so that squares do not cancel
+    const double mean = last_stretch(report, at); // subtracted, so that squares do not cancel
     double a[3][3] = {{0}}, b[3] = {0}, x[3], dt = 0;
     for (int k = 1; k + 1 < report->rows; k++) {
         const double t = report_at(report, "t", k);

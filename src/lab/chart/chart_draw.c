@@ -10,13 +10,13 @@
 
 static const double real_time = 1000; ///< [ms of CPU time per simulated second]
 
-/// Largest and smallest error of the axis: a run of a larger error counts as failed. [1]
+/// Range of the error axis: a run with a larger error counts as failed. [1]
 static const double error_max = 10, error_min = 1e-2;
 
 /// Distance of failed runs below the upper edge of the picture, as a ratio. [1]
 static const double edge = 1.15;
 
-/// Okabe and Ito's colors, which everyone can tell apart: the peer's, then the methods'.
+/// Okabe and Ito's colors, distinguishable for all kinds of color vision: the peer's, then the methods'.
 static const char* const color_table[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
                                           "#e69f00", "#56b4e9", "#000000"};
 enum { COLORS = sizeof color_table / sizeof *color_table };
@@ -28,8 +28,8 @@ static const char* color_of(const char* method) {
     return color_table[0];
 }
 
-/// gnuplot's filled circle for membranes, another shape for each law of springs, triangle for the
-/// peer; hollow in float.
+/// gnuplot's point types: a filled circle for membranes, another shape for each law of springs, a
+/// triangle for the peer; hollow for float.
 static int shape_of(const ChartPoint* point, bool hollow) {
     static const int springs[SPRING_LAWS] = {5, 13, 11}; // square, diamond, triangle upside down
     int shape = chart_is_peer(point) ? 9 : 7;
@@ -75,7 +75,7 @@ static bool has_points(const ChartPlan* plan, int from, int p, const char* preci
     return false;
 }
 
-/// Points of a line in both precisions, its failed ones, and the line through its best.
+/// The points of a line in both precisions, its failed points, and its Pareto front.
 static void plot_line(const ChartPlan* plan, int from, int p, double top, FILE* script) {
     char key[160], title[96];
     const ChartPoint* point = &plan->point[p];

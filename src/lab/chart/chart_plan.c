@@ -10,7 +10,7 @@
 
 enum { SETS = 2 * CHART_SETS + 5 };
 
-/// One skin of a case at one resolution, for one measure: what all methods share.
+/// One skin of a case at one resolution, for one measure; the same for all methods.
 typedef struct Variant {
     const ChartCase* chart;
     const ChartSkin* skin;
@@ -32,7 +32,7 @@ __attribute__((format(printf, 2, 3))) static void add_set(Variant* variant, cons
     variant->set[variant->sets++].text = text;
 }
 
-/// In place, for it points into itself.
+/// Filled in place, because its overrides point to its own texts.
 static void variant_make(Variant* variant, const ChartCase* chart, const ChartSkin* skin,
                          const ChartResolution* resolution, const ChartMeasure* measure,
                          const ChartOptions* options) {
@@ -93,7 +93,7 @@ static int find_launch(ChartPlan* plan, Launch* launch) {
     return plan->launches++;
 }
 
-/// The command line of a run by a method, or NULL: by the peer.
+/// The command line of a run by a method, or with NULL by the peer.
 static void command(const Variant* variant, const char* method, double step, const char* precision,
                     Launch* launch) {
     const ChartPeer* peer = &variant->chart->peer;
@@ -116,7 +116,7 @@ static void command(const Variant* variant, const char* method, double step, con
     launch_add(launch, "--report");
 }
 
-/// What the scene makes of a skin, at any resolution and for any measure.
+/// Properties of a skin in the scene, the same for every resolution and measure.
 typedef struct SkinFacts {
     bool known;
     char skin[16], law[32];
@@ -149,7 +149,7 @@ static bool find_facts(const Variant* variant, SkinFacts* facts, Fault* fault) {
     return true;
 }
 
-/// A point of the method in this row of method_table; facts NULL: of the peer.
+/// Add a point for the method in this row of method_table, or with facts NULL for the peer.
 static void add_point(ChartPlan* plan, const Variant* variant, const SkinFacts* facts, int row,
                       int vertices, const char* precision) {
     const Method* method = facts ? method_table[row] : NULL;
@@ -190,8 +190,8 @@ static bool takes_part(const Method* method, ChartMethods methods) {
     }
 }
 
-/// All points of one skin at one resolution, for one measure: of all methods, or with facts NULL of
-/// the peer.
+/// Add all points of one skin at one resolution for one measure: for all methods, or with facts NULL
+/// for the peer.
 static bool add_points(ChartPlan* plan, Variant* variant, SkinFacts* facts,
                        const ChartOptions* options, Fault* fault) {
     const ChartResolution* at = variant->resolution;
@@ -239,7 +239,7 @@ static bool is_wanted(const ChartCase* chart, const char* only) {
     return !only || strcmp(chart->scene, only) == 0 || strcasecmp(chart->letter, only) == 0;
 }
 
-/// The points of one list of resolutions; without a plan only their number is added to *capacity.
+/// Add the points of one list of resolutions; with plan NULL, add only their number to *capacity.
 static bool walk_resolutions(ChartPlan* plan, const ChartCase* chart, const ChartMeasure* measure,
                              const ChartSkin* skin, SkinFacts* facts, const ChartOptions* options,
                              int* capacity, Fault* fault) {
@@ -260,7 +260,8 @@ static bool walk_resolutions(ChartPlan* plan, const ChartCase* chart, const Char
     return true;
 }
 
-/// Each measure, skin and resolution of the extent, in the order of chart.csv; the peer last.
+/// Add the points of each measure, skin and resolution in the extent, in the order of chart.csv; the
+/// peer is last.
 static bool walk(ChartPlan* plan, const ChartCase* chart, const ChartOptions* options,
                  int* capacity, Fault* fault) {
     SkinFacts facts[CHART_SKINS] = {0};

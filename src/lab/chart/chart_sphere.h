@@ -35,7 +35,7 @@ static inline double last_gauge_pressure(const Report* report, double at) {
     return report_at(report, "balloon0.gauge_pressure", -1);
 }
 
-/// Bullet's links are fitted to rubber where those of engines are: stretched by a tenth.
+/// Bullet's links are fitted to rubber at a stretch of 1.1, in the range that soft bodies are made for.
 static inline double fitted_stretch(void) {
     return 1.1;
 }
@@ -47,8 +47,8 @@ static inline double fitted_pressure(void) {
 
 #define FITTED_PEER .pressure = fitted_pressure, .stretch = fitted_stretch
 
-/// Bullet's gas knows no air outside: kPR/V. In its favor it holds what is right at the right size
-/// of a balloon with twice its gas, in units of V0 [Pa].
+/// Bullet's pressure is kPR/V, without air outside. In its favor, this kPR/V0 gives the true gauge
+/// pressure at the true size of a balloon with twice its gas [Pa].
 static inline double own_gas(void) {
     const TruthBalloon balloon = truth_balloon_default();
     const double l = truth_stretch_gas(&balloon, 2);

@@ -20,7 +20,7 @@ bool chart_may_write(const char* folder, Fault* fault) {
            result_file_allowed(folder, "chart.md", summary_mark, fault);
 }
 
-/// A point that its method refuses has only its name.
+/// A point whose scene the method refuses has only its name and settings.
 static void write_row(const ChartPoint* p, FILE* out) {
     fprintf(out, "%s,%s,%s,%s,%d,%.17g,%s,", p->name, p->method, p->skin, p->law, p->vertices,
             p->step, p->precision);
@@ -129,40 +129,40 @@ static int resolutions(const ChartResolution* at, ChartExtent extent) {
     return count;
 }
 
-/// The peer has no point that is stable: the reason, and what was tried of the whole chart.
+/// The line of a peer without a stable point: the reason, and which part of the chart was tried.
 static void write_fallen(const ChartPlan* plan, const ChartCase* chart, FILE* out) {
     const ChartPeer* peer = &chart->peer;
-    const int whole = resolutions(peer->resolution, CHART_FULL);
+    const int total = resolutions(peer->resolution, CHART_FULL);
     const int tried = resolutions(peer->resolution, plan->extent);
-    if (peer->none || whole == 0)
+    if (peer->none || total == 0)
         fprintf(out, " %s | - |\n", peer->none ? peer->none : "-");
     else if (tried == 0)
-        fprintf(out, " not tried: 0 of %d resolutions | - |\n", whole);
-    else if (tried < whole)
-        fprintf(out, " fell in the %d of %d resolutions tried | - |\n", tried, whole);
+        fprintf(out, " not tried: 0 of %d resolutions | - |\n", total);
+    else if (tried < total)
+        fprintf(out, " fell in the %d of %d resolutions tried | - |\n", tried, total);
     else
         fprintf(out, " fell | - |\n");
 }
 
-/// What a quick chart leaves out.
+/// The rows of the cases and measures that the planned extent leaves out.
 static void write_extent(const ChartPlan* plan, FILE* out) {
     if (plan->extent != CHART_QUICK)
         return;
-    int tried = 0, whole = 0;
+    int tried = 0, total = 0;
     for (int from = 0; from < plan->points; from = chart_end(plan, from)) {
         const ChartCase* chart = plan->point[from].chart;
         for (int s = 0; s <= CHART_SKINS; s++) {
             const ChartResolution* at =
                 s < CHART_SKINS ? chart->skin[s].resolution : chart->peer.resolution;
             tried += resolutions(at, CHART_QUICK);
-            whole += resolutions(at, CHART_FULL);
+            total += resolutions(at, CHART_FULL);
         }
     }
     fprintf(
         out,
         "\nQuick: %d of the chart's %d resolutions were tried. An error is the best of those, and "
         "\"fell\" says nothing of the others.\n",
-        tried, whole);
+        tried, total);
 }
 
 /// For each scene the cheapest point below 1 %, or the most accurate one, and the peer's best.

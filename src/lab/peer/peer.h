@@ -39,7 +39,7 @@ typedef struct PeerDef {
     const double4* point; ///< [point_count] rest positions [m]; copied
     int triangle_count;
     const int (*triangle)[3]; ///< [triangle_count] counter-clockwise seen from outside; copied
-    double mass;              ///< of all points together, shared equally [kg]
+    double mass;              ///< total mass, divided equally among the points [kg]
     const bool* held;         ///< [point_count] fixed points; NULL: none
     int rod_count;
     const PeerRod* rod;  ///< [rod_count] copied

@@ -12,7 +12,7 @@
 #include "world/probe.h"
 
 enum {
-    MAX_ROUNDS = 64,   ///< of a fit: more than any game uses
+    MAX_ROUNDS = 64,   ///< maximum rounds of a fit: more than any game uses
     FIT_HALVINGS = 10, ///< bisections of the stiffness: to a thousandth
     FIT_STEPS = 100,   ///< minimum number of steps until a skin is at rest
 };
@@ -72,7 +72,7 @@ static bool is_bad(const Pair* pair) {
     return !(fabs(volume) < too_large * size * size * size);
 }
 
-/// Volume at rest under the fit's pressure over the first volume [1]; the pressure rises during the
+/// Volume at rest under the fit's pressure over the initial volume [1]; the pressure rises during the
 /// first quarter of the time.
 static double volume_at_rest(World* world, const PeerFit* fit, const PeerLinks* links) {
     world_reset(world);

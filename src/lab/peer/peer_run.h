@@ -1,15 +1,15 @@
 /// `balloon peer`: `balloon run` with Bullet's own soft body instead of a scene's first balloon: the
 /// same mesh, mass, damping and pressure law, and the same CSV.
 ///
-/// The stiffness of Bullet's links depends on step, mass and rounds, so they must be fitted: the
-/// fewest rounds, doubled from 1, and then the softest links with which the skin rests at a given
-/// volume under a given pressure; or, for a skin without such a rest, links that correct in a step as
-/// much as a spring of stiffness k,
+/// The stiffness of Bullet's links depends on step, mass and rounds, so they must be fitted: to the
+/// fewest rounds (1, 2, 4, …) and then the softest links with which the skin rests at a given volume
+/// under a given pressure; or, if the skin has no such rest, to links whose correction in a step equals
+/// that of a spring of stiffness k,
 ///
 ///     rounds * stiffness = k h^2 (1/m + 1/m)
 ///
-/// In its favor, its pressure is set before each step to that of the scene's law at the present
-/// volume and area. Strings become rods; balls must be in the scene from the start.
+/// In its favor, its pressure is set before each step to the scene's law at the present volume and
+/// area. Strings become rods; balls must be in the scene from the start.
 #ifndef BALLOON_LAB_PEER_PEER_RUN_H
 #define BALLOON_LAB_PEER_PEER_RUN_H
 
@@ -18,8 +18,8 @@
 typedef struct PeerFit {
     double spring;   ///< k of the spring to imitate [N/m]; 0: fit pressure and ratio
     double pressure; ///< gauge [Pa]
-    double ratio; ///< volume at rest under it over the first volume [1]; 0: Bullet's default links
-    double step;  ///< of the fit [s]; 0: the run's
+    double ratio; ///< volume at rest under `pressure` over the initial volume [1]; 0: default links
+    double step;  ///< step of the fit [s]; 0: the run's
 } PeerFit;
 
 typedef struct PeerRun {

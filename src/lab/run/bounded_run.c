@@ -5,9 +5,11 @@
 #include <string.h>
 #include <sys/wait.h>
 
-enum { SIGNALED = 128 }; ///< exit status of a program that a signal has ended, as shells have it
+enum {
+    SIGNALED = 128
+}; ///< plus the signal: exit status of a program ended by a signal, as in shells
 
-/// Enough for every shipped scene by every method; what asks for more is refused with a sentence.
+/// Suffices for every shipped scene by every method. A run that needs more must end with a sentence.
 static const unsigned long bytes_max = 2ul << 30;
 
 const char* const ending_name[ENDINGS] = {
@@ -28,7 +30,7 @@ void bounded_run(Launch* launch, const char* program, const char* scene, double 
     launch_add(launch, "--fps=%.17g", rows / seconds);
 }
 
-/// The last line on standard error, "balloon: …", or "" where it is none of the program's.
+/// The last line on standard error if it begins with "balloon: ", else "".
 static void last_sentence(const char* err, char text[ENDING_TEXT]) {
     static const char start[] = "balloon: ";
     const char* last = NULL;
@@ -40,7 +42,7 @@ static void last_sentence(const char* err, char text[ENDING_TEXT]) {
     snprintf(text, ENDING_TEXT, "%.*s", last ? (int)strcspn(last, "\n") : 0, last ? last : "");
 }
 
-/// The first number of a report that is not finite; NULL: all are.
+/// Name of the first number of a report that is not finite; NULL: all are finite.
 static const char* not_finite(const Report* report) {
     for (int r = 0; r < report->rows; r++)
         for (int c = 0; c < report->columns; c++)
@@ -70,7 +72,7 @@ Ending bounded_run_ending(const Launch* launch, const Report* report, char text[
         snprintf(text, ENDING_TEXT, "exit status %d without a sentence", status);
         return ENDING_WRONG;
     }
-    if (status == SIGNALED + SIGTERM && launch->asked)
+    if (status == SIGNALED + SIGTERM && launch->end_requested)
         return ENDING_LONG;
     return isfinite(report->ms) || report->rows > 0 ? ENDING_STOPPED : ENDING_REFUSED;
 }

@@ -1,9 +1,9 @@
-/// Runs of `balloon run` within limits of CPU time and memory, classed by how they end: benches of
-/// what the program says where a scene is beyond it.
+/// Runs of `balloon run` within limits of CPU time and memory, classified by how they end, for benches
+/// with scenes that the program may be unable to step.
 ///
-/// A run asks for its end after `cpu` seconds, and says how far it was; it is ended where it does
-/// not answer in as long again. Right ends are numbers that are finite, with exit status 0, and a
-/// sentence with another status; every other one is wrong.
+/// After `cpu` seconds of CPU time the run is asked to end, and prints how far it came; after twice that
+/// time it is killed. A run may end with exit status 0 and finite numbers, or with another status and a
+/// sentence; every other ending is wrong.
 #ifndef BALLOON_LAB_RUN_BOUNDED_RUN_H
 #define BALLOON_LAB_RUN_BOUNDED_RUN_H
 
@@ -27,10 +27,10 @@ enum { ENDING_TEXT = 400 };
 void bounded_run(Launch* launch, const char* program, const char* scene, double seconds, int rows,
                  double cpu);
 
-/// How a run ended, and what it said, or what is wrong with it.
+/// How a run ended; text: its sentence, or what is wrong with it.
 Ending bounded_run_ending(const Launch* launch, const Report* report, char text[ENDING_TEXT]);
 
-/// Print the command line, as a shell reads it.
+/// Print the command line, quoted for a shell.
 void bounded_run_print(const Launch* launch, FILE* out);
 
 #endif

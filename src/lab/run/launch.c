@@ -53,8 +53,8 @@ static void forget_output(Launch* launch) {
     launch->out = launch->err = NULL;
 }
 
-/// In the child: become the program, or send the reason why not.
-static void become(const Launch* launch, int failed) {
+/// In the child: execute the program, or send the error number to the parent.
+static void execute(const Launch* launch, int failed) {
     dup2(fileno(launch->out_file), STDOUT_FILENO);
     dup2(fileno(launch->err_file), STDERR_FILENO);
     execv(launch->word[0], launch->word);
@@ -69,16 +69,16 @@ static int start_process(Launch* launch) {
         return errno;
     fcntl(failed[1], F_SETFD, FD_CLOEXEC);
     fcntl(failed[0], F_SETFD, FD_CLOEXEC);
-    // its CPU time is watched from here: a limit of the system would make the clock coarse by which
-    // a run measures itself
+    // the parent watches the CPU time: RLIMIT_CPU would make the CPU clock coarse, by which the run
+    // measures itself
     launch->process =
         child_fork(&(ChildLimits){.bytes = launch->bytes > 0 ? launch->bytes : LAUNCH_BYTES_MAX});
     if (launch->process == 0)
-        become(launch, failed[1]);
+        execute(launch, failed[1]);
     if (launch->process < 0)
         reason = errno;
     close(failed[1]);
-    // a program that has begun closes the pipe without a word
+    // exec closes the pipe, so nothing is read if the program has started
     if (read(failed[0], &reason, sizeof reason) > 0)
         waitpid(launch->process, &launch->status, 0);
     close(failed[0]);
@@ -90,7 +90,7 @@ bool launch_begin(Launch* launch, Fault* fault) {
     launch->out_file = tmpfile();
     launch->err_file = tmpfile();
     launch->start = clock_seconds(CLOCK_MONOTONIC);
-    launch->asked = false;
+    launch->end_requested = false;
     const int reason = start_process(launch);
     if (!reason)
         return true;
@@ -102,22 +102,22 @@ bool launch_begin(Launch* launch, Fault* fault) {
     return fault_set(fault, launch->word[0], "cannot be started: %s", strerror(reason));
 }
 
-/// Ask a run to end, or end it, that is over its limits.
-static void hold_limits(Launch* launch) {
+/// Ask a run that exceeds its limits to end, or kill it.
+static void enforce_limits(Launch* launch) {
     const double wall = clock_seconds(CLOCK_MONOTONIC) - launch->start;
     const double cpu_max = launch->cpu_max > 0 ? launch->cpu_max : LAUNCH_CPU_MAX;
     clockid_t clock;
     const double cpu = clock_getcpuclockid(launch->process, &clock) == 0 ? clock_seconds(clock) : 0;
     if ((launch->wall_max > 0 && wall > launch->wall_max) || cpu > cpu_max)
         kill(launch->process, SIGKILL);
-    else if (launch->cpu_ask > 0 && cpu > launch->cpu_ask && !launch->asked) {
-        launch->asked = true; // a second request would end the program at once
+    else if (launch->cpu_ask > 0 && cpu > launch->cpu_ask && !launch->end_requested) {
+        launch->end_requested = true; // a second signal would end the program without a report
         kill(launch->process, SIGTERM);
     }
 }
 
 bool launch_has_ended(Launch* launch) {
-    hold_limits(launch);
+    enforce_limits(launch);
     const pid_t ended = waitpid(launch->process, &launch->status, WNOHANG);
     if (ended != launch->process)
         return false;
@@ -128,7 +128,7 @@ bool launch_has_ended(Launch* launch) {
 }
 
 /// Wait until one of the runs has ended.
-static void end_one(Launch** running, int* count) {
+static void wait_for_one(Launch** running, int* count) {
     const struct timespec moment = {.tv_nsec = 1000000};
     for (;;) {
         for (int k = 0; k < *count; k++)
@@ -152,7 +152,7 @@ bool launch_all(Launch* launch, int count, int parallel, const char* title, Faul
             running_count += good;
             continue;
         }
-        end_one(running, &running_count);
+        wait_for_one(running, &running_count);
         if (say)
             fprintf(stderr, "\r%s: %d of %d ", title, next - running_count, count);
     }

@@ -17,32 +17,32 @@ extern const unsigned long LAUNCH_BYTES_MAX; ///< address space of a run [bytes]
 typedef struct Launch {
     char* word[LAUNCH_WORDS + 1]; ///< program and arguments, then NULL; owned
     int words;
-    double cpu_ask;      ///< CPU time after which SIGTERM asks it to end [s]; 0: never
-    double cpu_max;      ///< CPU time after which the run is ended [s]; 0: the default
-    double wall_max;     ///< time after which it is ended [s]; 0: none
-    unsigned long bytes; ///< address space [bytes]; 0: the default
-    int status;          ///< as waitpid() has it
-    char* out;           ///< all that it printed on standard output; owned
-    char* err;           ///< and on standard error; owned
+    double cpu_ask;      ///< CPU time after which SIGTERM asks the run to end [s]; 0: never
+    double cpu_max;      ///< CPU time after which the run is killed [s]; 0: the default
+    double wall_max;     ///< wall time after which the run is killed [s]; 0: no limit
+    unsigned long bytes; ///< limit of the address space [bytes]; 0: the default
+    int status;          ///< the status that waitpid() returned
+    char* out;           ///< its standard output; owned
+    char* err;           ///< its standard error; owned
 
-    // while it runs
-    pid_t process; ///< 0: it does not run
-    bool asked;    ///< to end
-    double start;  ///< of the clock that is monotonic [s]
+    // during the run
+    pid_t process;      ///< 0: not running
+    bool end_requested; ///< SIGTERM was sent
+    double start;       ///< monotonic clock at the start [s]
     FILE* out_file;
     FILE* err_file;
 } Launch;
 
-/// Add a word to a command line, as printf has it.
+/// Add a word to a command line, formatted like printf.
 void launch_add(Launch* launch, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
-/// The same words in the same order.
+/// Whether two command lines have the same words in the same order.
 bool launch_same(const Launch* a, const Launch* b);
 
-/// Start the run; its earlier output is forgotten. False where the program cannot be started.
+/// Start the run; earlier output is freed. False if the program cannot be started.
 bool launch_begin(Launch* launch, Fault* fault);
 
-/// Whether a run that was started has ended; then its status and output are there. Returns at once.
+/// Whether a run that was started has ended; then its status and output are set. Does not wait.
 bool launch_has_ended(Launch* launch);
 
 /// Run all of them, at most `parallel` at a time; their earlier output is freed. On a terminal, print
@@ -50,7 +50,7 @@ bool launch_has_ended(Launch* launch);
 /// started.
 bool launch_all(Launch* launch, int count, int parallel, const char* title, Fault* fault);
 
-/// A run that goes on is ended.
+/// Frees a launch; a run that has not ended is killed.
 void launch_free(Launch* launch);
 
 #endif

@@ -10,7 +10,7 @@
 
 enum { SHELL_FINDS_NONE = 127 }; ///< exit status where a command does not exist
 
-/// Whether the pictures may be drawn where no script of ours has drawn them.
+/// Whether the pictures may be written if their script is not one of the program's.
 static bool may_draw(const char* folder, const char* name, Fault* fault) {
     static const char* const picture_table[] = {"svg", "png"};
     for (size_t k = 0; k < sizeof picture_table / sizeof *picture_table; k++) {

@@ -52,7 +52,7 @@ static bool is_tied_by_number(const BalloonDef* balloon) {
     return false;
 }
 
-/// Overrides of a balloon's numbers that are of each particle.
+/// Overrides of a balloon's numbers per particle.
 typedef struct Shares {
     Overrides* sets;
     char balloon[32]; ///< its path, with a dot

@@ -1,4 +1,4 @@
-/// The results of a run: its CSV, and the line of `--report`.
+/// The results of a run: its CSV and the line that `--report` prints.
 #ifndef BALLOON_LAB_RUN_REPORT_H
 #define BALLOON_LAB_RUN_REPORT_H
 

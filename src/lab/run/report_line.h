@@ -12,7 +12,7 @@ typedef struct ReportLine {
     double cpu_ms;  ///< CPU time of stepping per simulated second [ms]
     int substeps;   ///< largest number into which the guard divided a step
     char hash[24];  ///< of the last state, 16 hexadecimal digits
-    int outputs;    ///< of the scene's list `about`
+    int outputs;    ///< number of outputs in the scene's list `about`
     double* output; ///< [outputs] values at their times; NAN: not reached
 } ReportLine;
 

@@ -26,7 +26,7 @@ bool result_folder(const char* folder, Fault* fault) {
     return true;
 }
 
-/// Whether there is no file at the path, an empty one, a device, or one that begins with the mark.
+/// Whether the path has no file, an empty one, a device, or a file that begins with the mark.
 static bool is_own(const char* path, const char* mark) {
     struct stat about;
     if (stat(path, &about) != 0 || !S_ISREG(about.st_mode) || about.st_size == 0)

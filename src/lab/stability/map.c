@@ -8,13 +8,14 @@
 #include "base/memory.h"
 #include "force/force.h"
 
-/// Above this, a step of an implicit method takes too long for a frame. [particles]
+/// Maximum size of a balloon for implicit methods, whose steps would take longer than a frame.
+/// [particles]
 enum { MAX_SOLVED = 700 };
 
-/// Steps of one part, of a method that does not iterate.
+/// Steps of a method without iterations in one part.
 enum { PART = 64 };
 
-static void keep_near(Map* map, const real4* x, int count) {
+static void store_near(Map* map, const real4* x, int count) {
     free(map->near);
     map->near = new_array(real4, count);
     map->near_count = count;
@@ -27,7 +28,7 @@ void map_begin(Map* map, const World* world, const SceneSet* set, int set_count)
     *map = (Map){.set = set, .set_count = set_count, .amount = balloon->body.inflation.amount};
     if (balloon->def->inflation)
         map->pressure = balloon_pressure(balloon);
-    keep_near(map, balloon->body.x, balloon->body.count);
+    store_near(map, balloon->body.x, balloon->body.count);
     for (int r = 0; r < MAP_ROWS; r++) {
         map->theory[r] = map->bound[r] = (double)NAN;
         for (int c = 0; c < MAP_COLUMNS; c++)
@@ -73,7 +74,7 @@ static void begin_sets(const Map* map, MapSets* sets) {
         sets->set[sets->count] = map->set[sets->count];
 }
 
-/// The whole skin of the scene's first balloon, factor times as stiff.
+/// Multiply all stiffnesses of the first balloon's skin by the factor.
 static void stiffen(const Map* map, double factor, MapSets* sets) {
     const SkinDef* skin = &map->def.balloons[0].skin;
     const SpringsDef* springs = skin->springs;
@@ -89,7 +90,7 @@ static void stiffen(const Map* map, double factor, MapSets* sets) {
         add(sets, "balloons.0.skin.springs.torsion=%.17g", factor * springs->torsion);
 }
 
-/// The order of rows, 4, 5, 3, 6, 2, …: the scene's own first.
+/// The row that is measured k-th: 4, 5, 3, 6, 2, …, the scene's own first.
 static int row_of(int k) {
     return MAP_OWN_ROW + (k % 2 ? (k + 1) / 2 : -k / 2);
 }
@@ -122,7 +123,7 @@ static void strip(const Map* map, MapSets* sets) {
     }
 }
 
-/// The first balloon alone.
+/// Load the scene with its first balloon alone.
 static bool load(const Map* map, MapSets* sets, WorldDef* def, Fault* fault) {
     if (!scene_load(map->def.file, sets->set, sets->count, def, fault))
         return false;
@@ -141,7 +142,8 @@ static bool open_row(Map* map, Fault* fault) {
     if (!load(map, &sets, &def, fault))
         return false;
     add(&sets, "method=%s", method_newton.name);
-    add(&sets, "solver={iterations: 1, fixed: true}"); // parts are short, and many lead to rest
+    add(&sets,
+        "solver={iterations: 1, fixed: true}"); // one iteration a part; relaxation needs many
     if (!load(map, &sets, &calm, fault)) {
         scene_free(&def);
         return false;
@@ -173,7 +175,7 @@ static void prepare(Map* map) {
     if (map->at_rest) {
         map->theory[row_of(map->rows_done)] = trial_theory(&map->trial);
         map->bound[row_of(map->rows_done)] = trial_bound(&map->trial);
-        keep_near(map, map->trial.rest, map->trial.world.balloon[0].body.count);
+        store_near(map, map->trial.rest, map->trial.world.balloon[0].body.count);
     }
     if (good)
         return;

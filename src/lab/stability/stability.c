@@ -12,26 +12,26 @@
 
 enum { MAX_KEYS = 4, MAX_DAMPINGS = 5 };
 
-/// An overridden key: its value is `value` times the axis', or the text as it is.
+/// An overridden key: its value is the text or, with NULL, `factor` times the axis' value.
 typedef struct Key {
     const char* key;
     double factor;
     const char* text;
 } Key;
 
-/// A map: steps along, one quantity of the scene upright.
+/// A map: the step on the horizontal axis, one quantity of the scene on the vertical one.
 typedef struct MapCase {
     const char* scene;
-    const char* axis; ///< label
+    const char* axis; ///< label of the vertical axis
     Key key[MAX_KEYS];
     bool logarithmic;
-    double low, high; ///< of the axis
+    double low, high; ///< range of the vertical axis
     int rows, quick_rows;
     double shortest, longest; ///< steps [s], spaced by equal ratios
     int columns, quick_columns;
 } MapCase;
 
-/// Rows of stability.csv: a scene, on a mesh of its own where one is named, at each damping.
+/// Rows of stability.csv: a scene at each damping.
 typedef struct LimitCase {
     const char* name;
     const char* scene;
@@ -73,7 +73,7 @@ static void say(const char* what, const char* scene, const char* method) {
         fprintf(stderr, "%s of %s, %s\n", what, scene, method);
 }
 
-/// The keys at a value of the axis, and the damping unless it is less than 0.
+/// Overrides for a value of the axis, and for the damping unless it is below 0.
 static bool open_at(Trial* trial, const char* scene, const Key* key, double value, double damping,
                     const Method* method, const char** refused, Fault* fault) {
     char word[MAX_KEYS + 1][96];
@@ -97,7 +97,7 @@ static double spaced(double low, double high, int k, int count, bool logarithmic
     return logarithmic ? low * pow(high / low, part) : low + part * (high - low);
 }
 
-/// One method's cells of a map; or why it refuses.
+/// Measure one method's cells of a map, or set the reason why it refuses the scene.
 static bool map_method(const MapCase* map, const Method* method, bool quick, FILE* cells,
                        FILE* limits, const char** refused, Fault* fault) {
     const int rows = quick ? map->quick_rows : map->rows;
@@ -160,7 +160,7 @@ static bool limit_method(const LimitCase* limit, const Method* method, FILE* out
 static const char cells_head[] = "scene,method,step,stiffness,verdict,growth_rate\n";
 static const char map_limits_head[] = "scene,method,stiffness,step_theory,step_bound\n";
 
-/// A result with its head.
+/// Open a file of results and write its header line.
 static FILE* create(const char* folder, const char* name, const char* head, Fault* fault) {
     FILE* out = result_file_open(folder, name, head, fault);
     if (out)

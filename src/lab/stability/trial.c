@@ -17,12 +17,12 @@ static const double push_size =
     sizeof(real) == sizeof(double) ? 1e-6 : 1e-4; ///< [balloon's size]; float rounds to 6e-8
 enum { TRIAL_STEPS = 2000 };
 static const double explosion = 10; ///< [start energy]
-/// Just below its limit, euler's undamped energy beats with the amplitude 1/(1 - h w/2), which is
-/// no growth: a search for the limit goes on to here. [start energy]
+/// Just below its limit, euler's undamped energy beats with the amplitude 1/(1 - h w/2) without
+/// growing. So the search for the limit runs on up to this energy. [start energy]
 static const double search_explosion = 1e4;
 
 // --- of the measurement ---
-/// A balloon that moves less in a long step is at rest; for float above its rounding. [push]
+/// A balloon is at rest if it moves less in a long step; in float this is above rounding. [push]
 static const double rest_motion = sizeof(real) == sizeof(double) ? 1e-4 : 5e-2;
 /// Every mode has a larger share of the start energy, so below this all modes have decayed. [1]
 static const double decayed = 1e-4;
@@ -141,8 +141,8 @@ bool trial_begin(Trial* trial, WorldDef* calm, WorldDef* def, Fault* fault) {
     return good;
 }
 
-bool trial_prepare(Trial* trial, bool* ready, Fault* fault) {
-    *ready = false;
+bool trial_prepare(Trial* trial, bool* prepared, Fault* fault) {
+    *prepared = false;
     if (!trial->rested) {
         if (!relax(trial, fault))
             return false;
@@ -150,9 +150,9 @@ bool trial_prepare(Trial* trial, bool* ready, Fault* fault) {
             begin_fastest(trial);
         return true;
     }
-    for (int round = 0; round < ROUNDS && !*ready; round++)
-        *ready = fastest(trial);
-    if (!*ready)
+    for (int round = 0; round < ROUNDS && !*prepared; round++)
+        *prepared = fastest(trial);
+    if (!*prepared)
         return true;
 
     Body* body = &trial->calm.balloon[0].body;
@@ -175,9 +175,9 @@ bool trial_open(Trial* trial, const char* scene, const SceneSet* set, int set_co
         *refused = method_refuses(method, &trial->calm.balloon[0].body);
     good = good && !*refused && load(&def, scene, set, set_count, method->name, fault) &&
            world_open(&trial->world, &def, fault);
-    bool ready = false;
-    while (good && !ready)
-        good = trial_prepare(trial, &ready, fault);
+    bool prepared = false;
+    while (good && !prepared)
+        good = trial_prepare(trial, &prepared, fault);
     if (!good)
         trial_close(trial);
     return good;

@@ -51,7 +51,7 @@ typedef struct Trial {
     // the present run
     double h;            ///< step [s]
     double start_energy; ///< of the perturbation [J]
-    double max;          ///< largest energy that is no explosion [start_energy]
+    double max;          ///< energy above which the run counts as an explosion [start_energy]
     int steps;           ///< number of steps
     int steps_done;
     TrialFit later; ///< over the second half
@@ -64,9 +64,9 @@ bool trial_open(Trial* trial, const char* scene, const SceneSet* set, int set_co
 
 /// The same in small parts. trial_begin opens two worlds of the same balloon, owned by the trial:
 /// `calm` with newton, for the relaxation, and `def` with the method. Then call trial_prepare until
-/// `ready`. Returns false with a fault if the balloon does not come to rest.
+/// `prepared`. Returns false with a fault if the balloon does not come to rest.
 bool trial_begin(Trial* trial, WorldDef* calm, WorldDef* def, Fault* fault);
-bool trial_prepare(Trial* trial, bool* ready, Fault* fault);
+bool trial_prepare(Trial* trial, bool* prepared, Fault* fault);
 
 /// Start a run with step h; continue it by at most `steps` steps. True: the verdict is certain.
 void trial_start(Trial* trial, double h);

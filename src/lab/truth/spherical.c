@@ -8,24 +8,24 @@
 #include "mesh/measure.h"
 
 /// Minimum volume of a mesh over that of the sphere through its points: excludes a cube. [1]
-static const double full = 0.85;
+static const double min_fill = 0.85;
 
 /// Tolerance of the points' distances from the center. [R0]
-static const double unround = 1e-3;
+static const double radius_tolerance = 1e-3;
 
 /// R0 of a sphere, 0 of another shape. [unit of the mesh]
 static double radius_of(const Mesh* mesh) {
     double4 center = {0, 0, 0, 0};
     for (int i = 0; i < mesh->point_count; i++)
         center += mesh->point[i] / mesh->point_count;
-    double least = INFINITY, most = 0;
+    double min = INFINITY, max = 0;
     for (int i = 0; i < mesh->point_count; i++) {
         const double r = dlength(mesh->point[i] - center);
-        least = fmin(least, r);
-        most = fmax(most, r);
+        min = fmin(min, r);
+        max = fmax(max, r);
     }
-    const double radius = (least + most) / 2;
-    return most - least <= 2 * unround * radius ? radius : 0;
+    const double radius = (min + max) / 2;
+    return max - min <= 2 * radius_tolerance * radius ? radius : 0;
 }
 
 static double volume_of(const Mesh* mesh) {
@@ -51,7 +51,7 @@ static bool rubber(const Balloon* balloon, TruthBalloon* truth) {
     return truth->law != NULL;
 }
 
-/// Only quads: triangles have no shear springs and form another sheet.
+/// Quads only: triangles have no shear springs and so another stiffness.
 static bool springs(const Balloon* balloon, TruthBalloon* truth) {
     const SpringsDef* def = balloon->def->skin.springs;
     if (!def)
@@ -66,17 +66,17 @@ static bool springs(const Balloon* balloon, TruthBalloon* truth) {
     return truth->law != NULL;
 }
 
-bool spherical_find(const Balloon* balloon, Spherical* round) {
+bool spherical_find(const Balloon* balloon, Spherical* spherical) {
     const double radius = balloon->mesh.closed ? radius_of(&balloon->mesh) : 0;
     const double scale = balloon->body.scale;
     if (radius == 0)
         return false;
     const double sphere = 4 * PI / 3 * radius * radius * radius;
     const double volume = volume_of(&balloon->mesh);
-    if (volume < full * sphere)
+    if (volume < min_fill * sphere)
         return false;
-    round->truth = truth_balloon_default();
-    round->truth.radius = scale * radius;
-    round->volume = scale * scale * scale * volume;
-    return rubber(balloon, &round->truth) || springs(balloon, &round->truth);
+    spherical->truth = truth_balloon_default();
+    spherical->truth.radius = scale * radius;
+    spherical->volume = scale * scale * scale * volume;
+    return rubber(balloon, &spherical->truth) || springs(balloon, &spherical->truth);
 }

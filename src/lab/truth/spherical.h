@@ -16,6 +16,6 @@ typedef struct Spherical {
 } Spherical;
 
 /// Returns false if no closed form is known.
-bool spherical_find(const Balloon* balloon, Spherical* round);
+bool spherical_find(const Balloon* balloon, Spherical* spherical);
 
 #endif

@@ -22,7 +22,7 @@
 
 typedef struct TruthBalloon TruthBalloon;
 
-/// A law of the skin; the incompressible ones have put in the thickness l^-2 h0.
+/// A law of the skin; in the incompressible ones the thickness l^-2 h0 is substituted.
 typedef struct TruthLaw {
     const char* name;
     const char* about;
@@ -67,27 +67,27 @@ TruthBalloon truth_springs_fitted(const TruthBalloon* balloon, double l);
 
 // --- the sphere at rest, and its breathing -----------------------------------------------------
 
-/// Stretch of a closed gas of `amount` = n R T/(p_atm V0) >= 1: p_atm (amount/l^3 - 1) = p(l) [1].
-/// Below 1 the skin wrinkles and no sphere is the truth.
+/// Stretch with a closed gas of `amount` = n R T/(p_atm V0) >= 1: p_atm (amount/l^3 - 1) = p(l) [1].
+/// Below 1 the skin wrinkles and is no sphere.
 double truth_stretch_gas(const TruthBalloon* balloon, double amount);
 
-/// Stretch where p(l) = pressure >= 0, before the first maximum: what a slow inflation reaches;
-/// infinite above the maximum [1].
+/// Stretch where p(l) = pressure >= 0, below the first maximum, as a slow inflation reaches it;
+/// infinite for a pressure above the maximum [1].
 double truth_stretch_pressure(const TruthBalloon* balloon, double pressure);
 
-/// Breathing at stretch l under the pressure p(l) that does not change [rad/s]:
-/// w^2 = W''/(rho R0^2) - 2 l p/(rho h0 R0). l = 1 is the empty skin. NAN past the maximum.
+/// Angular frequency of breathing at stretch l under the constant pressure p(l) [rad/s]:
+/// w^2 = W''/(rho R0^2) - 2 l p/(rho h0 R0). l = 1 is the empty skin. NAN beyond the maximum.
 double truth_breath_pressure(const TruthBalloon* balloon, double l);
 
 // --- the moving sphere -------------------------------------------------------------------------
 
-/// Where the skin is and how it moves.
+/// The state of the moving skin.
 typedef struct TruthMotion {
     double l;     ///< stretch [1]
     double speed; ///< dl/dt [1/s]
 } TruthMotion;
 
-/// From rest at l = 1, undamped, after a `pressure` > 0 that does not change was let on at t = 0.
+/// From rest at l = 1, undamped, under a constant `pressure` > 0 from t = 0 on.
 TruthMotion truth_sudden(const TruthBalloon* balloon, double pressure, double t);
 
 /// From rest at l = 1, a closed gas that grows as amount = 1 + more min(1, t/duration), damped by
@@ -97,16 +97,16 @@ TruthMotion truth_filling(const TruthBalloon* balloon, double more, double durat
 
 // --- particles ---------------------------------------------------------------------------------
 
-/// The cube of 8 particles blown up by the mass-spring paper's `area` law: by symmetry one degree
-/// of freedom, the distance r of a corner from the center, and a linear one. With the side
+/// The cube of 8 particles inflated by the mass-spring paper's `area` law: by symmetry it has one degree
+/// of freedom, the distance r of a corner from the center, and its equation is linear. With the side
 /// s = 2 r/sqrt(3):
 ///
 ///     springs  3 edges at a corner and 3 diagonals, along r: -(2 ks + 4 kd) (r - r0)
 ///     push     8 f dr = p dV,  p = 100 amount/(6 s^2),  V = s^3:   f = 100 amount sqrt(3)/24
 ///
-/// Each face's two diagonals are the shear springs; no flexion spring fits in.
+/// Each face's two diagonals are the shear springs; a cube has no flexion springs.
 typedef struct TruthCube {
-    double side;       ///< at first [m]
+    double side;       ///< initial [m]
     double structural; ///< ks [N/m]
     double shear;      ///< kd [N/m]
     double mass;       ///< per particle [kg]
@@ -120,7 +120,7 @@ TruthCube truth_cube_default(void);
 double truth_cube_rest(const TruthCube* cube);             ///< r at rest [m]
 double truth_cube_growth(const TruthCube* cube, double t); ///< u(t) = r(t) - r(0), from rest [m]
 
-// --- springs as a sheet, and what hangs on it --------------------------------------------------
+// --- springs as a sheet, and a tethered balloon ------------------------------------------------
 
 /// A square grid of springs as a membrane, each modulus a force per length.
 typedef struct TruthSheet {
@@ -133,16 +133,16 @@ typedef struct TruthSheet {
 
 TruthSheet truth_sheet(double structural, double shear, double flexion);
 
-/// Tension of the string that holds `count` particles of mass m at rest under helium's acceleration
+/// Tension of a string that holds `count` particles of mass m at rest under helium's acceleration
 /// `lift`: count m (lift - g) [N].
 double truth_tether(int count, double mass, double lift, double gravity);
 
 // --- two discs sewn together -------------------------------------------------------------------
 
-/// Two inextensible discs of radius a sewn at the rim and blown up, the Mylar balloon: wrinkles let
-/// the hoops go slack, all tension runs along the meridians. Slack hoops keep T x the same all
-/// along; the cap inside x is held by T 2 pi x sin = p pi x^2, and the rim, at the inflated radius
-/// r, has sin = 1. So T = p r^2/(2 x) and sin = x^2/r^2:
+/// Two inextensible discs of radius a, sewn at the rim and inflated: the Mylar balloon. Its wrinkles
+/// carry no hoop tension, so the meridional tension T satisfies T x = const at distance x from the axis.
+/// The balance of the cap within x is T 2 pi x sin = p pi x^2, with sin = 1 at the inflated radius r.
+/// So T = p r^2/(2 x) and sin = x^2/r^2:
 ///
 ///     z' = -x^2/sqrt(r^4 - x^4),   length of the meridian ds = r^2/sqrt(r^4 - x^4) dx
 typedef struct TruthMylar {

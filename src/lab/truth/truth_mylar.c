@@ -1,4 +1,4 @@
-/// Two discs sewn together: the shape of a balloon that cannot stretch but wrinkles freely.
+/// Two discs sewn together: the shape of a balloon that cannot stretch and wrinkles freely.
 #include "lab/truth/truth.h"
 
 #include <math.h>
@@ -6,8 +6,8 @@
 #include "base/real.h"
 
 /// Integral of t^power/sqrt(1 - t^4) from 0 to 1, power even. t = sin(q) leaves
-/// sin(q)^power/sqrt(1 + sin(q)^2), smooth and periodic, of which the midpoint rule has all digits
-/// at 40 points.
+/// sin(q)^power/sqrt(1 + sin(q)^2), smooth and periodic, so that the midpoint rule with 40 points is
+/// exact to rounding.
 static double lemniscate(int power) {
     enum { POINTS = 64 };
     double sum = 0;

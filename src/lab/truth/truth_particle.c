@@ -30,7 +30,7 @@ static double cube_push(const TruthCube* cube) {
     return 100 * cube->amount * sqrt(3) / 24;
 }
 
-/// How far the corners go out in the end [m].
+/// Displacement of the corners at rest [m].
 static double rest_growth(const TruthCube* cube) {
     return cube_push(cube) / (cube->mass * cube_w2(cube));
 }

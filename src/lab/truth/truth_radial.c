@@ -5,10 +5,10 @@
 
 #include <math.h>
 
-/// Gauge pressure that is applied at time t and stretch l [Pa].
+/// Applied gauge pressure at time t and stretch l [Pa].
 typedef double (*Applied)(const TruthBalloon* balloon, const void* self, double t, double l);
 
-/// All that the right-hand side needs.
+/// Parameters of the right-hand side.
 typedef struct Radial {
     const TruthBalloon* balloon;
     Applied applied;
@@ -38,15 +38,15 @@ static TruthMotion step(const Radial* radial, double t, double h, TruthMotion at
     return (TruthMotion){at.l + h * sum.l, at.speed + h * sum.speed};
 }
 
-/// The motion at time `to` of the skin that was at `from` at time `since`, damped by a force
-/// -damping m v (damping [1/s]). Runge-Kutta of order 4, steps halved until the end stands still to
-/// 1e-12 or to rounding, which a long or nearly run-away motion magnifies; infinite where the skin
-/// has run away by then. `applied` is smooth between the two times.
+/// The motion at time `to`, from the state `from` at time `since`, damped by a force -damping m v
+/// (damping [1/s]). Runge-Kutta of order 4; steps are halved until the final state changes by less than
+/// 1e-12 or no longer converges because of rounding, which a long or nearly unbounded motion amplifies.
+/// Infinite if the motion is unbounded. `applied` must be smooth between the two times.
 static TruthMotion motion(const TruthBalloon* balloon, Applied applied, const void* self,
                           double damping, TruthMotion from, double since, double to) {
     enum { FEWEST = 1 << 8, MOST = 1 << 22 };
     const Radial radial = {balloon, applied, self, damping};
-    // speeds are judged over E's wave speed by R0, the size of the skin's own rates
+    // speeds are relative to the wave speed over R0, the scale of the skin's frequencies
     const double rate = sqrt(balloon->modulus / balloon->density) / balloon->radius;
     TruthMotion before = {INFINITY, INFINITY};
     double change_before = INFINITY;
@@ -56,7 +56,7 @@ static TruthMotion motion(const TruthBalloon* balloon, Applied applied, const vo
         for (int n = 0; n < count && isfinite(at.l); n++)
             at = step(&radial, since + n * h, h, at);
         const double change = fabs(at.l - before.l) + fabs(at.speed - before.speed) / rate;
-        // order 4 shrinks it 16-fold; what no longer shrinks is rounding
+        // order 4 divides the change by 16; a change that no longer falls is rounding
         if (change <= 1e-12 || (change < 1e-7 && change > change_before / 2))
             return at;
         before = at;
@@ -74,9 +74,9 @@ TruthMotion truth_sudden(const TruthBalloon* balloon, double pressure, double t)
     return motion(balloon, constant, &pressure, 0, (TruthMotion){1, 0}, 0, t);
 }
 
-/// A gas that is let in at a constant rate.
+/// A gas whose amount grows at a constant rate.
 typedef struct Filling {
-    double more;     ///< amount at the end less 1 [1]
+    double more;     ///< final amount minus 1 [1]
     double duration; ///< [s]
 } Filling;
 
@@ -88,7 +88,7 @@ static double filled(const TruthBalloon* balloon, const void* self, double t, do
 
 TruthMotion truth_filling(const TruthBalloon* balloon, double more, double duration, double damping,
                           double t) {
-    // the end of the filling is a kink, which no step may straddle
+    // the applied pressure has a kink at the end of the filling, so integration restarts there
     const Filling filling = {more, duration};
     const double kink = fmin(t, duration);
     const TruthMotion rest = {1, 0};

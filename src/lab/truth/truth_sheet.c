@@ -1,4 +1,4 @@
-/// A grid of springs as a membrane, and the string that holds a skin.
+/// Springs on a grid as a membrane, and the string that holds a balloon.
 #include "lab/truth/truth.h"
 
 TruthSheet truth_sheet(double structural, double shear, double flexion) {

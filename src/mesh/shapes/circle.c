@@ -16,7 +16,7 @@ static CirclePoint series(double angle) {
 }
 
 CirclePoint circle_point(int k, int n) {
-    // the angle within an eighth of the circle, by whole numbers, so that all eighths are alike
+    // the angle is reduced to an eighth of the circle in integers, so that all eighths are equal
     const long eighth = 8L * k / n;
     const long rest = 8L * k % n;
     CirclePoint p;

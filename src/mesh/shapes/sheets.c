@@ -32,7 +32,7 @@ void sheet_grid(MeshSource* source, int columns, int rows) {
     }
 }
 
-/// Rings of equal width around the point 0, each of so many sectors; the first of triangles.
+/// Rings of equal width around point 0, each divided into sectors; the first ring consists of triangles.
 void sheet_disc(MeshSource* source, int rings, int sectors) {
     source_make(source, NULL, 1 + rings * sectors, rings * sectors);
     for (int r = 0; r < rings; r++) {
@@ -91,7 +91,7 @@ void sheet_pillow(MeshSource* source, int n, int unused) {
 void sheet_discs(MeshSource* source, int rings, int sectors) {
     sheet_disc(source, rings, sectors);
     for (int i = 0; i < source->point_count; i++) {
-        // the radius by its ring, so that the rim's height is zero exactly
+        // the height follows from the ring's number, so that it is exactly zero at the rim
         const int ring = i == 0 ? 0 : (i - 1) / sectors + 1;
         const double radius = (double)ring / rings;
         source->point[i][1] = BULGE * (1 - radius * radius);

@@ -1,6 +1,6 @@
 /// Flat shapes: open sheets, and pairs of sheets sewn together at their rims.
 ///
-/// Sewn sheets bulge slightly, so that they enclose a volume and have an outside:
+/// Sewn sheets bulge slightly, so that they enclose a volume and their orientation is defined:
 ///
 ///     y = +-BULGE (1 - x^2)(1 - z^2)    pillow
 ///     y = +-BULGE (1 - r^2)             discs
