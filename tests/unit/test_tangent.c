@@ -22,7 +22,7 @@ static void times_force(Tangent* tangent, Body* body, int k, bool project, const
     if (force->update_tangent)
         force->update_tangent(body, project);
     if (force->assemble)
-        force->assemble(body, 1, project, tangent->slot[k], &tangent->matrix);
+        force->assemble(body, 1, project, tangent->block_at[k], &tangent->matrix);
     block_matrix_multiply(&tangent->matrix, d, out);
     if (force->product)
         force->product(body, 1, d, out);
