@@ -16,10 +16,8 @@
 #include "base/vec.h"
 
 #ifdef __SSE2__
-#include <immintrin.h>
+#include <immintrin.h> // 50,000 lines: headers that need the count only include base/vec.h
 #endif
-
-enum { LANES = 8 }; ///< numbers in a group of an array
 
 #if defined(__AVX__) && !defined(BALLOON_DOUBLE)
 #define WIDE 8 ///< numbers in a `lanes`

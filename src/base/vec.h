@@ -14,6 +14,8 @@
 typedef real real4 __attribute__((vector_size(4 * sizeof(real))));
 typedef double double4 __attribute__((vector_size(4 * sizeof(double))));
 
+enum { LANES = 8 }; ///< numbers in a group of an array that kernels read (base/lanes.h)
+
 static inline real dot(real4 a, real4 b) {
     const real4 p = a * b;
     return p[0] + p[1] + p[2];

@@ -17,7 +17,9 @@
 #ifndef BALLOON_BODY_MEMBRANE_H
 #define BALLOON_BODY_MEMBRANE_H
 
-#include "base/lanes.h"
+#include <stdint.h>
+
+#include "base/vec.h"
 #include "mesh/mesh.h"
 
 typedef struct Material Material;

@@ -26,7 +26,9 @@
 #ifndef BALLOON_BODY_SLICES_H
 #define BALLOON_BODY_SLICES_H
 
-#include "base/lanes.h"
+#include <stdint.h>
+
+#include "base/vec.h"
 #include "body/springs.h"
 
 /// Work is split into parts of fixed size, independent of the thread count, so that sums have one

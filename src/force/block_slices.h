@@ -9,7 +9,9 @@
 #ifndef BALLOON_FORCE_BLOCK_SLICES_H
 #define BALLOON_FORCE_BLOCK_SLICES_H
 
-#include "base/lanes.h"
+#include <stdint.h>
+
+#include "base/vec.h"
 #include "force/block_matrix.h"
 
 /// Blocks of eight rows side by side.

@@ -1,5 +1,6 @@
 /// Compiled for each kind of machine: base/cpu.h.
 #include "force/block_slices.h"
+#include "base/lanes.h"
 
 #define ALWAYS inline __attribute__((always_inline))
 

@@ -1,5 +1,6 @@
 /// Compiled for each kind of machine: base/cpu.h. Equations: sweep.h, uniform.h, springs.c.
 #include "force/kernel.h"
+#include "base/lanes.h"
 #include "force/sweep.h"
 
 #define ALWAYS inline __attribute__((always_inline))

@@ -6,7 +6,9 @@
 #ifndef BALLOON_SOLVE_BATCHES_H
 #define BALLOON_SOLVE_BATCHES_H
 
-#include "base/lanes.h"
+#include <stdint.h>
+
+#include "base/vec.h"
 #include "body/springs.h"
 
 typedef struct Batches {

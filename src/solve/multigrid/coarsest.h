@@ -11,7 +11,7 @@
 #ifndef BALLOON_SOLVE_MULTIGRID_COARSEST_H
 #define BALLOON_SOLVE_MULTIGRID_COARSEST_H
 
-#include "base/lanes.h"
+#include "base/vec.h"
 #include "force/block_matrix.h"
 
 typedef struct Tile {

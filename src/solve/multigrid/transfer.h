@@ -14,9 +14,11 @@
 #ifndef BALLOON_SOLVE_MULTIGRID_TRANSFER_H
 #define BALLOON_SOLVE_MULTIGRID_TRANSFER_H
 
+#include <stdint.h>
+
 #include <stdbool.h>
 
-#include "base/lanes.h"
+#include "base/vec.h"
 #include "force/block_matrix.h"
 
 /// P or P^T, eight rows side by side (SELL-8, as in body/slices.h).

@@ -1,5 +1,6 @@
 /// Compiled for each kind of machine: base/cpu.h.
 #include "solve/multigrid/transfer.h"
+#include "base/lanes.h"
 
 #define ALWAYS inline __attribute__((always_inline))
 
