@@ -35,15 +35,18 @@ bool ccd_passes_through(const Contact* c, double h) {
     return triangle_crossing_time(x[0], dx[0], x + 1, dx + 1) <= 1;
 }
 
-/// Plastic impact: all nodes get their common linear momentum's velocity, 0 if one is held.
+/// Plastic impact: all nodes get their common linear momentum's velocity, or that of one that is held.
 static void join(const Contact* c) {
     double mass = 0;
     double4 momentum = {0};
+    const ContactNode* held = NULL;
     for (int k = 0; k < c->node_count; k++) {
         mass += (double)c->node[k].mass;
         momentum += (double)c->node[k].mass * to_double4(*c->node[k].velocity);
+        if (!((double)c->node[k].mass < INFINITY))
+            held = &c->node[k];
     }
-    const real4 v = mass < INFINITY ? to_real4(momentum / mass) : (real4){0, 0, 0, 0};
+    const real4 v = held ? *held->velocity : to_real4(momentum / mass);
     for (int k = 0; k < c->node_count; k++)
         *c->node[k].velocity = v;
 }

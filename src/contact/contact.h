@@ -75,9 +75,11 @@ typedef struct Contact {
     real overlap_speed;        ///< n.u' that undoes an overlap, before scaling [m/s]
     real min_separation_speed; ///< lower bound of n.u' in this solve [m/s]
     // where it came from: for islands and the warm start
-    int side[2]; ///< numbers of ball and ball or skin, the skins behind the balls; NONE: a plane
-    int row;     ///< of the table of pairs
-    int pair;    ///< of the row, in rising order
+    int side
+        [2];  ///< numbers of ball and ball or skin, the skins behind the balls, then the things, of
+              ///< which none is the first; NONE: a plane
+    int row;  ///< of the table of pairs
+    int pair; ///< of the row, in rising order
     int64_t feature; ///< of the pair, in rising order: a triangle, a plane, the second ball
 } Contact;
 

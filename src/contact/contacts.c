@@ -23,12 +23,35 @@ void contacts_open(Contacts* contacts, ContactLaw law, double gravity, const Pla
         .plane_impulse = new_array(double, (body_count + 1) * plane_count),
         .skins = skins,
         .skin_count = body_count,
+        .first_thing = body_count,
         .skin = new_array(ContactSkin, body_count),
     };
     for (int k = 0; k < plane_count; k++)
         contacts->plane[k] = plane[k];
     for (int b = 0; b < body_count; b++)
         contacts->skin[b] = (ContactSkin){.body = body[b], .before = before[b]};
+}
+
+void contacts_add_things(Contacts* contacts, Thing* thing, int count) {
+    ASSERT(contacts->sphere_count == 0, "pairs of balls and skins are numbered by the skins");
+    const int skins = contacts->first_thing;
+    ContactSkin* skin = new_array(ContactSkin, skins + count);
+    if (skins > 0)
+        memcpy(skin, contacts->skin, (size_t)skins * sizeof *skin);
+    free(contacts->skin);
+    for (int k = 0; k < count; k++)
+        skin[skins + k] = (ContactSkin){.body = &thing[k].body};
+    contacts->skin = skin;
+    contacts->skin_count = skins + count;
+    contacts->thing = thing;
+    contacts->thing_count = count;
+    contacts->thing_impulse = new_array(double4, (skins + 1) * count);
+}
+
+void contacts_wake(Contacts* contacts, int skin, int other) {
+    const Thing* thing = other == NONE ? NULL : contacts_thing(contacts, other);
+    if (!contacts_thing(contacts, skin) && !(thing && thing->body.asleep))
+        body_wake(contacts->skin[skin].body);
 }
 
 /// Allocate what only scenes with balls need, at the first ball.
@@ -78,6 +101,8 @@ double contacts_safe_step(Contacts* contacts, double h) {
     contacts->contact_count = contacts->near_count = 0;
     if (contacts->law == CONTACT_PAPER) // its figures are of whole steps
         return h;
+    for (int k = 0; k < contacts->thing_count; k++)
+        thing_begin_drift(&contacts->thing[k], h);
     for (int r = 0; r < PAIR_ROWS; r++)
         if (pair_table[r]->safe_step)
             h = pair_table[r]->safe_step(contacts, h);
@@ -124,7 +149,7 @@ static void solve(Contacts* contacts, double h) {
         return;
     Islands* islands = &contacts->islands;
     islands_find(islands, contacts->contact, contacts->contact_count,
-                 contacts->sphere_count + contacts->skin_count);
+                 contacts->sphere_count + contacts->first_thing);
     for (int i = 0; i < islands->count; i++)
         contacts->separation_work +=
             fmax(0, contact_solve(islands->contact + islands->start[i],
@@ -171,7 +196,7 @@ void contacts_undo(Contacts* contacts) {
 
 double contacts_finish(Contacts* contacts, double h) {
     contacts->part = 0;
-    reaction_add_planes(contacts);
+    reaction_add_contacts(contacts);
     warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
     stop(contacts, h);
     gather(contacts, h);
@@ -211,6 +236,8 @@ void contacts_drift(Contacts* contacts, double h) {
             pair_table[r]->count_passes(contacts, h);
     for (int s = 0; s < contacts->sphere_count; s++)
         contacts->sphere[s].x += (real)h * contacts->sphere[s].v;
+    for (int k = 0; k < contacts->thing_count; k++)
+        thing_drift(&contacts->thing[k], h);
 }
 
 void contacts_penalty(Contacts* contacts, double h) {
@@ -219,7 +246,7 @@ void contacts_penalty(Contacts* contacts, double h) {
     for (int s = 0; s < contacts->sphere_count; s++) {
         Sphere* sphere = &contacts->sphere[s];
         const real4 before = sphere->v;
-        for (int b = 0; b < contacts->skin_count; b++)
+        for (int b = 0; b < contacts->first_thing; b++)
             sphere->v += (real)h / sphere->mass * paper_push(sphere, contacts->skin[b].body);
         sphere->impulse += sphere->mass * (sphere->v - before);
     }
@@ -230,6 +257,8 @@ void contacts_keep(Contacts* contacts) {
     contacts->good_kicked = contacts->kicked;
     contacts->good_count = contacts->sphere_count;
     copy_balls(contacts->good, contacts->sphere, contacts->good_count);
+    for (int k = 0; k < contacts->thing_count; k++)
+        thing_keep(&contacts->thing[k]);
 }
 
 void contacts_put_back(Contacts* contacts) {
@@ -238,6 +267,8 @@ void contacts_put_back(Contacts* contacts) {
     contacts->sphere_count = contacts->good_count;
     forget(contacts);
     copy_balls(contacts->sphere, contacts->good, contacts->good_count);
+    for (int k = 0; k < contacts->thing_count; k++)
+        thing_put_back(&contacts->thing[k]);
 }
 
 int contacts_bad(const Contacts* contacts) {
@@ -262,6 +293,7 @@ void contacts_close(Contacts* contacts) {
     skin_pairs_close(contacts);
     free(contacts->plane);
     free(contacts->plane_impulse);
+    free(contacts->thing_impulse);
     free(contacts->skin);
     free(contacts->sphere);
     free(contacts->good);

@@ -1,4 +1,4 @@
-/// All contacts of a world, between balls, skins and planes.
+/// All contacts of a world, between balls, skins, things and planes.
 ///
 /// A substep is
 ///
@@ -21,6 +21,7 @@
 #include "contact/islands.h"
 #include "contact/plane.h"
 #include "contact/skins/skin_pairs.h"
+#include "contact/things/thing.h"
 #include "contact/warm_start.h"
 
 /// A skin that balls and skins can touch.
@@ -48,8 +49,12 @@ typedef struct Contacts {
     int plane_count;
     Plane* plane; ///< [plane_count] floor and walls
     double*
-        plane_impulse; ///< [(skin_count + 1) * plane_count] of this step (contact/reaction.h) [N s]
+        plane_impulse; ///< [(first_thing + 1) * plane_count] of this step (contact/reaction.h) [N s]
+    int thing_count;
+    Thing* thing;           ///< [thing_count] the caller's
+    double4* thing_impulse; ///< [(first_thing + 1) * thing_count] the same [N s]
     int skin_count;
+    int first_thing;   ///< skins from this number on are those of things
     ContactSkin* skin; ///< [skin_count]
     int sphere_count;
     int sphere_capacity;
@@ -79,7 +84,8 @@ typedef struct Contacts {
     long pass_throughs;
     long zone_particles; ///< particles that were in impact zones, summed over drifts
     double
-        separation_work; ///< kinetic energy given to undo overlaps with planes and of balls, so far [J]
+        separation_work; ///< kinetic energy given to undo overlaps with planes and of balls, and by
+                         ///< things on their paths, so far [J]
 } Contacts;
 
 /// No balls yet. body: the skins, which must stay where they are; before: the velocities of each
@@ -87,6 +93,18 @@ typedef struct Contacts {
 void contacts_open(Contacts* contacts, ContactLaw law, double gravity, const Plane* plane,
                    int plane_count, SkinContacts skins, Body* const* body,
                    const real4* const* before, int body_count);
+
+/// Add things, the caller's, before the first ball.
+void contacts_add_things(Contacts* contacts, Thing* thing, int count);
+
+/// The thing of a skin, or NULL.
+static inline Thing* contacts_thing(const Contacts* contacts, int skin) {
+    return skin < contacts->first_thing ? NULL : &contacts->thing[skin - contacts->first_thing];
+}
+
+/// Wake a skin that another one touches, or a ball (NONE). A thing has no sleep to wake from, and
+/// one at rest wakes nothing.
+void contacts_wake(Contacts* contacts, int skin, int other);
 
 /// Add a ball. It is outside or inside each closed skin, by its winding number, and stays there.
 void contacts_add(Contacts* contacts, const Sphere* sphere);

@@ -34,7 +34,7 @@ void islands_find(Islands* islands, Contact* contact, int count, int side_count)
     reserve(islands, count, side_count);
     int* parent = islands->parent;
     for (int k = 0; k < count; k++)
-        if (contact[k].side[1] != NONE)
+        if (contact[k].side[1] != NONE && contact[k].side[1] < side_count)
             parent[islands_root(parent, contact[k].side[1])] =
                 islands_root(parent, contact[k].side[0]);
 

@@ -1,7 +1,7 @@
 /// Islands of contacts: sets that share no ball and no skin with each other.
 ///
 /// Each island is solved by itself, so that its tolerance, its iterations and its share of bounces
-/// do not depend on contacts elsewhere. Planes stand still and join nothing.
+/// do not depend on contacts elsewhere. Planes and things are held and join nothing.
 #ifndef BALLOON_CONTACT_ISLANDS_H
 #define BALLOON_CONTACT_ISLANDS_H
 
@@ -20,7 +20,7 @@ typedef struct Islands {
 } Islands;
 
 /// Sort contacts into islands, numbered in the order of their first contacts. side_count: of the
-/// numbers that contacts have for their sides.
+/// numbers that contacts have for their sides; a second side from there on is held.
 void islands_find(Islands* islands, Contact* contact, int count, int side_count);
 
 /// Number of a side's island, or NONE if it has no contact.

@@ -68,12 +68,30 @@ static real kick_speed(const Contact* c, const ContactSkin* skin, real fall) {
     return real_max(0, dot(c->normal, kick));
 }
 
+/// A thing does not give way: a ball bounces off it as off a plane.
+static void set_thing(const Contacts* contacts, Contact* contact, double h) {
+    const double closing = -(double)dot(contact->normal, contact_relative_velocity(contact));
+    contact->rigid = true;
+    contact->first = pair_bounces((double)contact->gap, closing, h, fmax(h, contacts->drift));
+    contact->fall_speed = (real)(contacts->gravity * (double)contact->normal[1] * h / 2);
+}
+
+/// Whether no neighbor of the contact's triangle, of a thing, is nearer to the ball.
+static bool is_nearest(const Thing* thing, const Contact* contact) {
+    const ContactNode* corner = contact->node + 1;
+    const double weight[3] = {-(double)corner[0].weight, -(double)corner[1].weight,
+                              -(double)corner[2].weight};
+    return thing_is_nearest(thing, (int)contact->feature, weight,
+                            to_double4(*contact->node[0].position));
+}
+
 /// Contacts of the near triangles of one pair. Those that may touch in a drift of length h are for
 /// the solver, the others for the limits of the drift.
 static void gather_pair(Contacts* contacts, int row, int s, int b, double h) {
     const int number = s * contacts->skin_count + b;
     ContactPair* pair = &contacts->pair[number];
     ContactSkin* skin = &contacts->skin[b];
+    const Thing* thing = contacts_thing(contacts, b);
     Sphere* sphere = &contacts->sphere[s];
     const double radius = (double)sphere->radius;
     const double speed = (double)length(sphere->v) + skin->fastest;
@@ -94,12 +112,15 @@ static void gather_pair(Contacts* contacts, int row, int s, int b, double h) {
         contact->first = !pair->touching;
         touching |= contact->gap <= (real)1e-3 * sphere->radius;
         const double closed = 1.5 * max_relative_speed(contact) * h + slack * radius;
-        const bool may_touch =
-            (double)contact->gap <= closed && shared_feature_owned(contact, skin->owners);
-        if (may_touch) {
+        const bool may_touch = (double)contact->gap <= closed &&
+                               shared_feature_owned(contact, skin->owners) &&
+                               (!thing || is_nearest(thing, contact));
+        if (may_touch && thing)
+            set_thing(contacts, contact, h);
+        else if (may_touch)
             contact->min_bounce_speed = bounce_kicks * kick_speed(contact, skin, fall);
-            body_wake(skin->body);
-        }
+        if (may_touch)
+            contacts_wake(contacts, b, NONE);
         pair_keep(contacts, may_touch, h);
     }
     pair->touching = touching;

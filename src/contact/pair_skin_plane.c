@@ -8,7 +8,7 @@ static const real near_share = (real)0.05; ///< [ball radii] from a plane that c
 static const double near_size = 0.02;      ///< [body sizes] the same, for an equation
 
 static void stop(Contacts* contacts, double h) {
-    for (int b = 0; contacts->plane_count > 0 && b < contacts->skin_count; b++) {
+    for (int b = 0; contacts->plane_count > 0 && b < contacts->first_thing; b++) {
         Body* body = contacts->skin[b].body;
         if (body->asleep)
             continue;
@@ -89,7 +89,7 @@ static int pushed_features(Contacts* contacts, int b, int touching, double h) {
 /// All other particles have the closed form.
 static void gather(Contacts* contacts, int row, double h) {
     const int touching = contacts->contact_count;
-    for (int b = 0; contacts->plane_count > 0 && touching > 0 && b < contacts->skin_count; b++) {
+    for (int b = 0; contacts->plane_count > 0 && touching > 0 && b < contacts->first_thing; b++) {
         const int count = pushed_features(contacts, b, touching, h);
         for (int j = 0; j < count; j++)
             add(contacts, row, b, contacts->candidate[j], h);
@@ -99,7 +99,7 @@ static void gather(Contacts* contacts, int row, double h) {
 /// Every particle that may come to a plane. Particles beside those that touch are listed, too: the
 /// equation finds which of them the step presses on the plane.
 static void gather_all(Contacts* contacts, int row, double h) {
-    for (int b = 0; contacts->plane_count > 0 && b < contacts->skin_count; b++) {
+    for (int b = 0; contacts->plane_count > 0 && b < contacts->first_thing; b++) {
         const Body* body = contacts->skin[b].body;
         if (body->asleep)
             continue;

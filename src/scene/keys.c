@@ -85,6 +85,34 @@ static const Key wall_row[] = {
 #undef DEF
 static const KeyGroup wall_keys = GROUP(wall_row, WallDef);
 
+#define DEF PathPointDef
+static const Key path_row[] = {
+    {{"at", "s", NOT_NEGATIVE, 0, "time"}, KEY_NUMBER, AT(at)},
+    {{"position", "m", ANY, NAN, "where the thing is then"}, KEY_VECTOR, AT(position), .required = true},
+};
+#undef DEF
+static const KeyGroup path_keys = GROUP(path_row, PathPointDef);
+
+#define DEF ThingDef
+static const Key thing_row[] = {
+    {{"model", NO_NUMBER, "a shape, as box or capsule, or a mesh file beside the scene or in assets/models"}, KEY_TEXT,
+     AT(model), .required = true, .longest = TEXT_LONGEST},
+    {{"position", "m", ANY, NAN, "added to the model's points"}, KEY_VECTOR, AT(position),
+     .absent = "the origin, or the path's"},
+    {{"size", "m", POSITIVE, NAN, "sides of the model's bounding box, whose middle is then its origin; a capsule keeps round ends"},
+     KEY_VECTOR, AT(size), .absent = "the model's own"},
+    {{"scale", "1", POSITIVE, 1, "factor on the model's points"}, KEY_NUMBER, AT(scale)},
+    {{"rotation", "degrees", ANY, NAN, "about the axes x, then y, then z"}, KEY_VECTOR, AT(rotation),
+     .absent = "none"},
+    {{"color", "1", 0, 1, false, false, false, NAN, "red, green and blue in sRGB"}, KEY_VECTOR, AT(color),
+     .absent = "gray"},
+    {{"friction", "1", NOT_NEGATIVE, RUBBER_FRICTION, "Coulomb's coefficient of skins on it; a ball has its own"}, KEY_NUMBER, AT(friction)},
+    {{"path", NO_NUMBER, "points that the thing goes through in straight lines, at most 50 m/s"}, KEY_LIST, AT(path), COUNT(path_count),
+     .group = &path_keys},
+};
+#undef DEF
+static const KeyGroup thing_keys = GROUP(thing_row, ThingDef);
+
 #define DEF PipeDef
 static const Key pipe_row[] = {
     {{"from", "1", NOT_NEGATIVE, NAN, "number of a balloon with gas, from 0"}, KEY_NUMBER, AT(from), .required = true},
@@ -162,6 +190,7 @@ static const Key world_row[] = {
      .group = &contacts_keys},
     {{"spheres", NO_NUMBER, "balls that are there from the start"}, LIST(spheres, sphere_keys)},
     {{"walls", NO_NUMBER, "half-spaces beside the floor"}, LIST(walls, wall_keys)},
+    {{"things", NO_NUMBER, "obstacles of infinite mass, at rest or on a path"}, LIST(things, thing_keys)},
     {{"pipes", NO_NUMBER, "gas flows through each to the lower pressure"}, LIST(pipes, pipe_keys)},
     {{"balloons", NO_NUMBER, "the balloons"}, LIST(balloons, balloon_keys), .required = true,
      .shortest = 1},

@@ -6,6 +6,9 @@
 
 #include "force/force.h"
 
+/// What contacts stop within a step without a crossing. [m/s]
+static const double path_speed_max = 50;
+
 /// A rule for each balloon: what breaks it, and what is then said of which key.
 typedef struct Rule {
     const char* key; ///< within the balloon
@@ -165,6 +168,35 @@ static bool pipes_join(const WorldDef* def, const SceneTree* tree, Fault* fault)
     return true;
 }
 
+/// What is wrong with a thing's path, or NULL.
+static const char* path_is_wrong(const ThingDef* thing) {
+    if (thing->position && thing->path_count > 0)
+        return "give position or path, not both: the thing begins at the first point of its path";
+    for (unsigned k = 1; k < thing->path_count; k++) {
+        const PathPointDef *from = &thing->path[k - 1], *to = from + 1;
+        double squared = 0;
+        for (int c = 0; c < 3; c++)
+            squared +=
+                (to->position[c] - from->position[c]) * (to->position[c] - from->position[c]);
+        if (!(to->at > from->at))
+            return "the times of a path must increase";
+        if (!(sqrt(squared) <= path_speed_max * (to->at - from->at)))
+            return "a path is followed at 50 m/s at most; give it more time";
+    }
+    return NULL;
+}
+
+static bool paths_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
+    for (unsigned i = 0; i < def->things_count; i++) {
+        const char* sentence = path_is_wrong(&def->things[i]);
+        char path[64];
+        snprintf(path, sizeof path, "things.%u.path", i);
+        if (sentence)
+            return tree_fault(tree, tree_find(tree, path), fault, "things.%u: %s", i, sentence);
+    }
+    return true;
+}
+
 static bool camera_looks_nowhere(const CameraDef* camera) {
     return camera && camera->eye[0] == camera->look[0] && camera->eye[1] == camera->look[1] &&
            camera->eye[2] == camera->look[2];
@@ -214,5 +246,6 @@ bool rules_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
         if (!exclusive_parameters_hold(def, i, tree, fault) ||
             !balloon_rules_hold(def, i, tree, fault))
             return false;
-    return pipes_join(def, tree, fault) && about_says(def, tree, fault);
+    return paths_hold(def, tree, fault) && pipes_join(def, tree, fault) &&
+           about_says(def, tree, fault);
 }

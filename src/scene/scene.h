@@ -154,6 +154,26 @@ typedef struct WallDef {
     double friction; ///< Coulomb's coefficient of skins on it
 } WallDef;
 
+/// `path:` where a thing is at a time.
+typedef struct PathPointDef {
+    double at;        ///< [s]
+    double* position; ///< [3] required
+} PathPointDef;
+
+/// `things:` meshes of infinite mass (contact/things/thing.h).
+typedef struct ThingDef {
+    char* model;      ///< a shape, or a mesh file beside the scene or in assets/models; required
+    double* position; ///< [3] of the model's origin; NULL: the origin, or the path's
+    double* size;     ///< [3] sides of the model's bounding box, which is centered on the position;
+                      ///< NULL: as it is
+    double scale;     ///< factor on the model's points; default 1
+    double* rotation; ///< [3] degrees about x, then y, then z; NULL: none
+    double* color;    ///< [3] sRGB, 0…1; NULL: gray
+    double friction;  ///< Coulomb's coefficient of skins on it
+    PathPointDef* path;
+    unsigned path_count;
+} ThingDef;
+
 /// `pipes:` gas flows from the higher pressure to the lower.
 typedef struct PipeDef {
     double from;        ///< number of a balloon, required
@@ -234,6 +254,8 @@ typedef struct WorldDef {
     unsigned spheres_count;
     WallDef* walls;
     unsigned walls_count;
+    ThingDef* things;
+    unsigned things_count;
     PipeDef* pipes;
     unsigned pipes_count;
     BalloonDef* balloons; ///< at least one, required

@@ -108,7 +108,8 @@ static TermNode find_node(const Groups* groups, const Contacts* contacts, const 
     TermNode found = {NONE, NONE, 0, 0};
     for (int s = 0; s < 2; s++) {
         const int side = contact->side[s];
-        if (side == NONE || groups->group_of[side] == NONE || node->response == 0)
+        if (side == NONE || side >= contacts->sphere_count + contacts->first_thing ||
+            groups->group_of[side] == NONE || node->response == 0)
             continue;
         if (side < contacts->sphere_count) {
             if (node->velocity == &contacts->sphere[side].v)

@@ -228,7 +228,9 @@ bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, i
 
     set_color(balloon, number);
     make(balloon, def);
-    if (!balloon_check_position(&balloon->body, def->file, number, fault))
+    char name[40];
+    snprintf(name, sizeof name, "balloons.%d", number);
+    if (!balloon_check_position(&balloon->body, def->file, name, fault))
         return false;
     balloon->good_x = new_array(real4, balloon->body.count);
     balloon->good_v = new_array(real4, balloon->body.count);

@@ -40,7 +40,8 @@ bool balloon_check_mesh(const Balloon* balloon, const char* location, int number
     return check_paths(balloon, location, number, fault);
 }
 
-bool balloon_check_position(const Body* body, const char* location, int number, Fault* fault) {
+bool balloon_check_position(const Body* body, const char* location, const char* name,
+                            Fault* fault) {
     double farthest = 0;
     bool finite = true;
     for (int i = 0; i < body->count; i++)
@@ -49,14 +50,13 @@ bool balloon_check_position(const Body* body, const char* location, int number, 
             finite = finite && isfinite(body->x[i][k]);
         }
     if (finite && farthest > coordinate_max)
-        return fault_set(
-            fault, location,
-            "balloons.%d: it reaches %g m from the origin; coordinates are at most %g m", number,
-            farthest, coordinate_max);
+        return fault_set(fault, location,
+                         "%s: it reaches %g m from the origin; coordinates are at most %g m", name,
+                         farthest, coordinate_max);
     const double spacing = farthest * (double)REAL_EPSILON;
     return (finite && spacing <= shape_resolution * (double)body->size) ||
            fault_set(fault, location,
-                     "balloons.%d: at %g m a state of " REAL_NAME " resolves %.2g m, which is too "
-                     "coarse for a balloon of %g m; move it toward the origin",
-                     number, farthest, spacing, (double)body->size);
+                     "%s: at %g m a state of " REAL_NAME " resolves %.2g m, which is too "
+                     "coarse for its %g m; move it toward the origin",
+                     name, farthest, spacing, (double)body->size);
 }

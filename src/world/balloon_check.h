@@ -8,8 +8,8 @@
 /// the number of springs around a vertex.
 bool balloon_check_mesh(const Balloon* balloon, const char* location, int number, Fault* fault);
 
-/// Check that the state's type resolves the shape where the balloon is: far from the origin the
+/// Check of a balloon or a thing that the state's type resolves the shape where the balloon is: far from the origin the
 /// coordinates of neighbors round to the same number.
-bool balloon_check_position(const Body* body, const char* location, int number, Fault* fault);
+bool balloon_check_position(const Body* body, const char* location, const char* name, Fault* fault);
 
 #endif

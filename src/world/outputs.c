@@ -154,12 +154,17 @@ static double plane_force(const OutputSubject* s) {
     return reaction_of_plane(&s->world->contacts, s->number) / s->world->step;
 }
 
+/// A component of the force of all contacts on a thing.
+static double thing_force(const OutputSubject* s, int axis) {
+    return reaction_of_thing(&s->world->contacts, s->number)[axis] / s->world->step;
+}
+
 // clang-format off
 #define SUBJECT const OutputSubject* s
 static double seconds(SUBJECT) { return world_time(s->world); }
 static double taken_back(SUBJECT) { return (double)s->world->guard.taken_back; }
 static double pass_throughs(SUBJECT) { return (double)s->world->contacts.pass_throughs; }
-static double crossings(SUBJECT) { return crossings_count(s->world->system.body, s->world->balloon_count); }
+static double crossings(SUBJECT) { return crossings_count(&s->world->contacts); }
 static double x(SUBJECT) { return sphere_component(s, false, 0); }
 static double y(SUBJECT) { return sphere_component(s, false, 1); }
 static double z(SUBJECT) { return sphere_component(s, false, 2); }
@@ -169,6 +174,9 @@ static double vz(SUBJECT) { return sphere_component(s, true, 2); }
 static double fx(SUBJECT) { return sphere_force(s, 0); }
 static double fy(SUBJECT) { return sphere_force(s, 1); }
 static double fz(SUBJECT) { return sphere_force(s, 2); }
+static double thing_fx(SUBJECT) { return thing_force(s, 0); }
+static double thing_fy(SUBJECT) { return thing_force(s, 1); }
+static double thing_fz(SUBJECT) { return thing_force(s, 2); }
 #undef SUBJECT
 
 #define BALLOON const Balloon* b
@@ -207,6 +215,7 @@ const char* const output_prefix[OUTPUT_KINDS] = {
     [OF_SPHERES] = "",
     [OF_FLOOR] = "floor.",
     [OF_WALL] = "wallN.",
+    [OF_THING] = "thingN.",
     [OF_SKINS] = "",
     [OF_GUARD] = "guard.",
 };
@@ -254,7 +263,10 @@ const Output output_table[] = {
     {"pass_throughs", "1", "times that a ball has passed through a skin", OF_SPHERES, .value = pass_throughs},
     {"force", "N", "normal force of skins and balls on the floor, mean of the last step", OF_FLOOR, .value = plane_force},
     {"force", "N", "normal force on a wall, mean of the last step", OF_WALL, .value = plane_force},
-    {"crossings", "1", "pairs of triangles that cross, of one skin or of two", OF_SKINS, .value = crossings},
+    {"fx", "N", "force of skins and balls on a thing, mean of the last step, x", OF_THING, .value = thing_fx},
+    {"fy", "N", "that force, y", OF_THING, .value = thing_fy},
+    {"fz", "N", "that force, z", OF_THING, .value = thing_fz},
+    {"crossings", "1", "pairs of triangles that cross, of one skin or of two, or of a skin and a thing", OF_SKINS, .value = crossings},
     {"taken_back", "1", "steps that gained energy, and were made again in shorter substeps", OF_GUARD, .value = taken_back},
 };
 #undef Q
@@ -268,7 +280,8 @@ double output_value(const Output* output, const OutputSubject* subject) {
 void outputs_reference(FILE* out) {
     fputs(
         "\n### Outputs: the columns of `--csv`\n\n"
-        "N is the number of a balloon, ball or wall, K that of a string, from 0. A column is "
+        "N is the number of a balloon, ball, wall or thing, K that of a string, from 0. A column "
+        "is "
         "there\n"
         "where the scene models it: a volume of closed skins, iterations of methods that iterate,\n"
         "the guard's where it may split a step.\n"

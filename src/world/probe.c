@@ -75,8 +75,15 @@ static bool walk(const World* world, int spheres, Visit visit, void* self) {
         return true;
     if (walk_planes(&subject, visit, self))
         return true;
+    for (int k = 0; k < world->thing_count; k++) {
+        subject.number = k;
+        snprintf(prefix, sizeof prefix, "thing%d.", k);
+        if (walk_rows(OF_THING, prefix, &subject, visit, self))
+            return true;
+    }
     const SkinContacts* skins = &world->def.contacts;
-    if ((skins->self || skins->others) && walk_rows(OF_SKINS, "", &subject, visit, self))
+    if ((skins->self || skins->others || world->thing_count > 0) &&
+        walk_rows(OF_SKINS, "", &subject, visit, self))
         return true;
     return guard_splits(&world->guard, world->method) &&
            walk_rows(OF_GUARD, output_prefix[OF_GUARD], &subject, visit, self);

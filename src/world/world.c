@@ -13,6 +13,7 @@
 #include "force/inflation.h"
 #include "world/command.h"
 #include "world/rest.h"
+#include "world/things.h"
 
 enum { SPLITS_MAX = 1024 };    ///< a method that cannot solve 1/1024 of a step fails
 enum { SPLITS_SLOW = 64 };     ///< a step made in as many parts is said to be slow
@@ -41,6 +42,7 @@ static void open_contacts(World* world) {
                   world->system.body, (const real4* const*)world->system.v_start,
                   world->balloon_count);
     free(plane);
+    things_begin(world);
 
     for (unsigned s = 0; s < def->spheres_count; s++) {
         const SphereDef* ball = &def->spheres[s];
@@ -96,7 +98,7 @@ bool world_open(World* world, WorldDef* def, Fault* fault) {
         good = balloon_open(&world->balloon[b], &world->def, world->method, (int)b, fault);
         world->balloon_count++;
     }
-    if (!good) {
+    if (!good || !things_open(world, fault)) {
         world_close(world);
         return false;
     }
@@ -291,6 +293,7 @@ void world_step(World* world) {
     while (!is_over(world) && energy_watch_takes_back(world));
     if (is_over(world))
         return;
+    things_notice(world);
     world->step_count++;
 
     // a bad state is found at its step
@@ -316,6 +319,9 @@ uint64_t world_hash(const World* world) {
         hash = hash_bytes(hash, &sphere->v, 3 * sizeof(real));
         hash = hash_bytes(hash, &sphere->spin, 3 * sizeof(real));
     }
+    for (int k = 0; k < world->thing_count; k++)
+        if (world->thing[k].path_count > 0)
+            hash = hash_bytes(hash, &world->thing[k].body.x[0], 3 * sizeof(real));
     return hash;
 }
 
@@ -325,6 +331,7 @@ void world_close(World* world) {
     for (int b = 0; b < world->balloon_count; b++)
         balloon_close(&world->balloon[b]);
     free(world->balloon);
+    things_close(world);
     scene_free(&world->def);
     *world = (World){0};
 }

@@ -22,8 +22,10 @@ struct World {
     const Method* method;
     Balloon* balloon; ///< [balloon_count]
     int balloon_count;
+    Thing* thing; ///< [thing_count] (world/things.h)
+    int thing_count;
     System system;     ///< the balloons' bodies, as the method steps them
-    Contacts contacts; ///< balls, floor, walls
+    Contacts contacts; ///< balls, floor, walls, things
     double step;       ///< h [s]
     long step_count;   ///< steps since the start or the last reset
     long clock;        ///< calls of world_step since world_open, also across resets
@@ -59,7 +61,7 @@ static inline double world_time(const World* world) {
 }
 
 /// Hash of the position and velocity of every particle (balloons in order, particles in loaded
-/// order) and ball; where balloons may sleep, also of how long they have been still.
+/// order), ball and thing on a path; where balloons may sleep, also of how long they have been still.
 uint64_t world_hash(const World* world);
 
 void world_close(World* world);

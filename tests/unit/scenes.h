@@ -59,6 +59,8 @@ static const char full[] =
     "0.25,\n"
     "  friction: 0.75}]\n"
     "walls: [{at: [0, 0, -7], normal: [0, 0, 2]}]\n"
+    "things: [{model: box, size: [1, 2, 3], scale: 2, rotation: [10, 20, 30], color: [1, 0.5, 0],\n"
+    "  friction: 0.25, path: [{at: 1, position: [0, 1, 0]}, {at: 3, position: [4, 1, 0]}]}]\n"
     "pipes: [{from: 0, to: 1, conductance: 1e-3, start: 0.5}]\n"
     "balloons:\n"
     "  - model: cube-sphere:4\n"

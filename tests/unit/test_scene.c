@@ -83,6 +83,21 @@ static void every_key_of_spheres_and_walls_loads_into_its_field(void** state) {
     scene_free(&def);
 }
 
+static void every_key_of_things_loads_into_its_field(void** state) {
+    (void)state;
+    WorldDef def;
+    must_load(full, NULL, &def);
+    const ThingDef* thing = &def.things[0];
+    assert_string_equal(thing->model, "box");
+    assert_vector(thing->size, 1, 2, 3);
+    assert_vector(thing->rotation, 10, 20, 30);
+    assert_vector(thing->color, 1, 0.5, 0);
+    assert_true(thing->scale == 2 && thing->friction == 0.25);
+    assert_true(thing->path_count == 2 && thing->path[0].at == 1 && thing->path[1].at == 3);
+    assert_vector(thing->path[1].position, 4, 1, 0);
+    scene_free(&def);
+}
+
 static void every_key_of_a_balloon_loads_into_its_field(void** state) {
     (void)state;
     WorldDef def;
@@ -333,6 +348,7 @@ int main(void) {
         cmocka_unit_test(every_key_of_a_world_loads_into_its_field),
         cmocka_unit_test(every_key_of_rubber_and_gas_loads_into_its_field),
         cmocka_unit_test(every_key_of_spheres_and_walls_loads_into_its_field),
+        cmocka_unit_test(every_key_of_things_loads_into_its_field),
         cmocka_unit_test(every_key_of_a_balloon_loads_into_its_field),
         cmocka_unit_test(every_key_of_inflation_and_strings_loads_into_its_field),
         cmocka_unit_test(what_a_scene_does_not_name_is_absent),

@@ -91,6 +91,12 @@ static const Wrong wrong_table[] = {
     {HEAD "fails: {at: 1}\n", 5, "a failure is halts: true, or an output"},
     {HEAD "fails: {at: 1, output: balloon0.cy, above: 1, below: 2}\n", 5, "a failure is halts"},
     {HEAD "fails: {at: 1, halts: true, output: balloon0.cy}\n", 5, "a failure is halts: true"},
+    {HEAD "things: [{model: box, path: [{at: 1, position: [0, 0, 0]}, {at: 1, position: [0, 0, 1]}]}]\n", 5,
+     "things.0: the times of a path must increase"},
+    {HEAD "things: [{model: box, path: [{at: 0, position: [0, 0, 0]}, {at: 1, position: [0, 51, 0]}]}]\n", 5,
+     "things.0: a path is followed at 50 m/s at most"},
+    {HEAD "things: [{model: box, position: [0, 0, 0], path: [{position: [0, 0, 0]}]}]\n", 5,
+     "things.0: give position or path, not both"},
     // YAML itself
     {HEAD "    color: [1, 1\n",      5, "this is not YAML"},
     {HEAD "   color: 1\n",           5, "this is not YAML"},

@@ -1,9 +1,10 @@
 #include "contact/skins/crossings.h"
 
+#include <limits.h>
 #include <stdlib.h>
 
 #include "base/memory.h"
-#include "contact/bullet.h"
+#include "contact/contacts.h"
 #include "contact/skins/feature_pair.h"
 
 bool crossing_shares(const int a[3], int point) {
@@ -35,19 +36,40 @@ bool crossing_of(const Body* first, int t, const Body* second, int u) {
     return edge_pierces(first, t, second, u) || edge_pierces(second, u, first, t);
 }
 
-int crossings_count(Body* const* body, int count) {
+static BulletSkin* open_boxes(const Body* body) {
+    return bullet_skin_open((const int(*)[3])body->mesh->triangle, body->mesh->triangle_count,
+                            body->x, body->count);
+}
+
+/// Pairs that cross, up to `most` of them.
+static int count_pairs(const Body* first, BulletSkin* a, const Body* second, const BulletSkin* b,
+                       int most) {
+    const int(*pair)[2];
+    const int near = bullet_skin_near_triangles(a, b, 0, &pair);
+    int crossings = 0;
+    for (int k = 0; k < near && crossings < most; k++)
+        crossings += crossing_of(first, pair[k][0], second, pair[k][1]);
+    return crossings;
+}
+
+bool crossings_any(const Body* first, const Body* second) {
+    BulletSkin *a = open_boxes(first), *b = open_boxes(second);
+    const bool any = count_pairs(first, a, second, b, 1) > 0;
+    bullet_skin_close(a);
+    bullet_skin_close(b);
+    return any;
+}
+
+int crossings_count(const Contacts* contacts) {
+    const int count = contacts->skin_count;
     BulletSkin** skin = new_array(BulletSkin*, count);
     int crossings = 0;
     for (int a = 0; a < count; a++)
-        skin[a] = bullet_skin_open((const int(*)[3])body[a]->mesh->triangle,
-                                   body[a]->mesh->triangle_count, body[a]->x, body[a]->count);
-    for (int a = 0; a < count; a++)
-        for (int b = a; b < count; b++) {
-            const int(*pair)[2];
-            const int near = bullet_skin_near_triangles(skin[a], skin[b], 0, &pair);
-            for (int k = 0; k < near; k++)
-                crossings += crossing_of(body[a], pair[k][0], body[b], pair[k][1]);
-        }
+        skin[a] = open_boxes(contacts->skin[a].body);
+    for (int a = 0; a < contacts->first_thing; a++)
+        for (int b = a; b < count; b++)
+            crossings += count_pairs(contacts->skin[a].body, skin[a], contacts->skin[b].body,
+                                     skin[b], INT_MAX);
     for (int a = 0; a < count; a++)
         bullet_skin_close(skin[a]);
     free(skin);

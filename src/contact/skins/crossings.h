@@ -12,7 +12,12 @@ bool crossing_shares(const int triangle[3], int point);
 /// of 0.
 bool crossing_of(const Body* first, int t, const Body* second, int u);
 
-/// Pairs of triangles that cross now, of all skins with themselves and each other.
-int crossings_count(Body* const* body, int count);
+/// Whether any triangles of two skins cross.
+bool crossings_any(const Body* first, const Body* second);
+
+struct Contacts;
+
+/// Pairs of triangles that cross now, of all skins with themselves, each other and things.
+int crossings_count(const struct Contacts* contacts);
 
 #endif

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "contact/reaction.h"
 #include "contact/skins/skin_pairs.h"
 #include "mesh/counting_sort.h"
 
@@ -85,6 +86,7 @@ typedef struct Particle {
     double4 x;
     real4* v;
     double mass; ///< INFINITY: held
+    int skin;
 } Particle;
 
 static Particle particle_of(const Zones* zones, int i) {
@@ -94,7 +96,8 @@ static Particle particle_of(const Zones* zones, int i) {
     const Body* body = zones->contacts->skin[b].body;
     const int k = i - zones->from[b];
     const bool held = body->inverse_mass[k] <= 0 || body->asleep;
-    return (Particle){to_double4(body->x[k]), &body->v[k], held ? INFINITY : (double)body->mass[k]};
+    return (Particle){to_double4(body->x[k]), &body->v[k], held ? INFINITY : (double)body->mass[k],
+                      b};
 }
 
 /// The inverse of the inertia tensor a times the angular momentum l: the angular velocity; 0 about an axis with
@@ -115,10 +118,8 @@ static double4 angular_velocity(double a[3][3], double4 l) {
     return (double4){ddot(c[0], l), ddot(c[1], l), ddot(c[2], l), 0} / determinant;
 }
 
-/// The rigid motion of a zone's momenta; a zone with a held particle stands still.
-static void move_rigidly(const Zones* zones, int z) {
-    const int* member = zones->member + zones->start[z];
-    const int count = zones->start[z + 1] - zones->start[z];
+/// The rigid motion of a zone's momenta.
+static void move_rigidly(const Zones* zones, const int* member, int count) {
     double mass = 0;
     double4 center = {0}, momentum = {0}, angular = {0};
     for (int k = 0; k < count; k++) {
@@ -127,11 +128,10 @@ static void move_rigidly(const Zones* zones, int z) {
         center += p.mass * p.x;
         momentum += p.mass * to_double4(*p.v);
     }
-    const bool held = !(mass < INFINITY);
     center /= mass;
     const double4 velocity = momentum / mass;
     double inertia[3][3] = {{0}};
-    for (int k = 0; k < count && !held; k++) {
+    for (int k = 0; k < count; k++) {
         const Particle p = particle_of(zones, member[k]);
         const double4 r = p.x - center;
         angular += p.mass * dcross(r, to_double4(*p.v) - velocity);
@@ -139,10 +139,87 @@ static void move_rigidly(const Zones* zones, int z) {
             for (int j = 0; j < 3; j++)
                 inertia[i][j] += p.mass * ((i == j ? ddot(r, r) : 0) - r[i] * r[j]);
     }
-    const double4 spin = held ? (double4){0} : angular_velocity(inertia, angular);
+    const double4 spin = angular_velocity(inertia, angular);
     for (int k = 0; k < count; k++) {
         const Particle p = particle_of(zones, member[k]);
-        *p.v = held ? (real4){0} : to_real4(velocity + dcross(spin, p.x - center));
+        *p.v = to_real4(velocity + dcross(spin, p.x - center));
+    }
+}
+
+/// What holds a zone: particles of a skin that do not move, or things.
+typedef struct Holder {
+    bool held;
+    Thing* thing; ///< one that moves; NULL: none
+    bool several; ///< they move differently
+} Holder;
+
+static Holder holder_of(const Zones* zones, const int* member, int count) {
+    Holder holder = {false, NULL, false};
+    for (int k = 0; k < count; k++) {
+        const Particle p = particle_of(zones, member[k]);
+        if (p.mass < INFINITY)
+            continue;
+        Thing* thing = contacts_thing(zones->contacts, p.skin);
+        if (thing && thing->body.asleep)
+            thing = NULL;
+        holder.several |= holder.held && thing != holder.thing;
+        holder.held = true;
+        holder.thing = holder.thing ? holder.thing : thing;
+    }
+    return holder;
+}
+
+/// Let all things of a zone stand still. They may be in other zones, too.
+static void hold_up(const Zones* zones, const int* member, int count) {
+    for (int k = 0; k < count; k++) {
+        Thing* thing = contacts_thing(zones->contacts, particle_of(zones, member[k]).skin);
+        if (thing && !thing->body.asleep)
+            thing_hold_up(thing);
+    }
+}
+
+/// The motion of what holds a zone. The impulse of that on the zone's particles is counted for a thing.
+static void move_with(const Zones* zones, const Holder* holder, const int* member, int count) {
+    Contacts* contacts = zones->contacts;
+    const double4 velocity = holder->thing ? holder->thing->velocity : (double4){0};
+    int on = NONE; // a thing of the zone
+    for (int k = 0; k < count; k++) {
+        const int skin = particle_of(zones, member[k]).skin;
+        on = contacts_thing(contacts, skin) ? skin - contacts->first_thing : on;
+    }
+    for (int k = 0; k < count; k++) {
+        const Particle p = particle_of(zones, member[k]);
+        if (!(p.mass < INFINITY))
+            continue;
+        const double4 change = velocity - to_double4(*p.v);
+        *p.v = to_real4(velocity);
+        if (on != NONE)
+            reaction_add(contacts, p.skin, on, -p.mass * change);
+    }
+}
+
+/// The rigid motion of a zone's momenta, or that of what holds it. Returns whether that stands still.
+static bool move_zone(const Zones* zones, int z) {
+    const int* member = zones->member + zones->start[z];
+    const int count = zones->start[z + 1] - zones->start[z];
+    const Holder holder = holder_of(zones, member, count);
+    if (holder.several)
+        hold_up(zones, member, count);
+    if (holder.held)
+        move_with(zones, &(Holder){true, holder.several ? NULL : holder.thing, false}, member,
+                  count);
+    else
+        move_rigidly(zones, member, count);
+    return holder.several;
+}
+
+/// All zones, and again where one has stopped a thing.
+static void move_zones(const Zones* zones, int count) {
+    bool again = true;
+    while (again) {
+        again = false;
+        for (int z = 0; z < count; z++)
+            again |= move_zone(zones, z);
     }
 }
 
@@ -154,9 +231,7 @@ int impact_zones(Contacts* contacts, double h) {
         skin_pairs_each_near(contacts, h, 0, join, &joining);
         if (!joining.any)
             break;
-        const int count = sort_zones(&zones);
-        for (int z = 0; z < count; z++)
-            move_rigidly(&zones, z);
+        move_zones(&zones, sort_zones(&zones));
     }
     int members = 0;
     for (int i = 0; i < zones.count; i++)

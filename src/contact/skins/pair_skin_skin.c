@@ -17,6 +17,15 @@ static double safe_step(Contacts* contacts, double h) {
     return h;
 }
 
+/// Whether no neighbor of the pair's triangle, of a thing, is nearer to the vertex.
+static bool is_nearest(const Contacts* contacts, const FeaturePair* pair) {
+    const Thing* thing = contacts_thing(contacts, pair->skin[1]);
+    const double weight[3] = {-pair->weight[1], -pair->weight[2], -pair->weight[3]};
+    return !thing ||
+           thing_is_nearest(thing, (int)(pair->feature & 0x7fffffff), weight,
+                            to_double4(contacts->skin[pair->skin[0]].body->x[pair->node[0]]));
+}
+
 /// Whether the nearest points are within both features; or on an edge or a corner, where a vertex and
 /// the first triangle of the list that has it stand for all pairs with the same nearest points.
 static bool stands_for_itself(const Contacts* contacts, const FeaturePair* pair) {
@@ -31,9 +40,9 @@ static bool stands_for_itself(const Contacts* contacts, const FeaturePair* pair)
     for (int k = 0; k < 3; k++) {
         const int corner = 2 << k, next = 2 << (k + 1) % 3;
         if (on == (1 | corner))
-            return owners >> k & 1;
+            return (owners >> k & 1) && is_nearest(contacts, pair);
         if (on == (1 | corner | next))
-            return owners >> (3 + k) & 1;
+            return (owners >> (3 + k) & 1) && is_nearest(contacts, pair);
     }
     return true;
 }
@@ -70,16 +79,21 @@ static int number_of(const Contacts* contacts, const FeaturePair* pair) {
 }
 
 static void add(Contacts* contacts, int row, const FeaturePair* pair, double h) {
+    // the number of a thing's skin is the greater one
+    const int first = pair->skin[0], second = pair->skin[1];
+    const bool swapped = contacts_thing(contacts, first);
+    const Thing* thing = contacts_thing(contacts, swapped ? first : second);
     Contact* contact = pair_next(contacts);
-    *contact = (Contact){
-        .node_count = FEATURE_NODES,
-        .normal = to_real4(pair->normal),
-        .gap = (real)(pair->distance - pair->rest_gap),
-        .size = (real)contacts->skin_pairs.skin[pair->skin[0]].scale,
-        .side = {contacts->sphere_count + pair->skin[0], contacts->sphere_count + pair->skin[1]},
-        .row = row,
-        .pair = number_of(contacts, pair),
-        .feature = pair->feature};
+    *contact = (Contact){.node_count = FEATURE_NODES,
+                         .normal = to_real4(pair->normal),
+                         .gap = (real)(pair->distance - pair->rest_gap),
+                         .size = (real)contacts->skin_pairs.skin[first].scale,
+                         .friction = thing ? thing->friction : 0,
+                         .side = {contacts->sphere_count + (swapped ? second : first),
+                                  contacts->sphere_count + (swapped ? first : second)},
+                         .row = row,
+                         .pair = number_of(contacts, pair),
+                         .feature = pair->feature};
     real response = 0;
     for (int k = 0; k < FEATURE_NODES; k++) {
         set_node(contacts, contact, pair, k);
@@ -88,8 +102,8 @@ static void add(Contacts* contacts, int row, const FeaturePair* pair, double h) 
     if (response <= 0) // all are held
         return;
     contact_set_masses(contact);
-    body_wake(contacts->skin[pair->skin[0]].body);
-    body_wake(contacts->skin[pair->skin[1]].body);
+    contacts_wake(contacts, first, second);
+    contacts_wake(contacts, second, first);
     pair_keep(contacts, true, h);
 }
 

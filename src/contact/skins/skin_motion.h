@@ -24,7 +24,7 @@ typedef struct SkinMotion {
 
 /// What contacts between skins need of one skin.
 typedef struct TouchingSkin {
-    double rest_gap; ///< from a skin like itself [m]
+    double rest_gap; ///< from a skin like itself; 0: a thing [m]
     double scale;    ///< mean length of an edge at the start [m]
     bool fitted;     ///< its boxes and its reference are of now
     double ahead;    ///< `motion` is that up to x + ahead v; NaN: of no use any more [s]

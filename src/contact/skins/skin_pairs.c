@@ -25,6 +25,14 @@ static double edge_length(const Body* body, int e) {
     return dlength(to_double4(body->x[end[0]]) - to_double4(body->x[end[1]]));
 }
 
+/// Longest mean edge of the balloons' skins, which are opened before the things.
+static double scale_max(const Contacts* contacts) {
+    double longest = 0;
+    for (int b = 0; b < contacts->first_thing; b++)
+        longest = fmax(longest, contacts->skin_pairs.skin[b].scale);
+    return longest;
+}
+
 static void open_skin(Contacts* contacts, int b) {
     TouchingSkin* skin = &contacts->skin_pairs.skin[b];
     const Body* body = contacts->skin[b].body;
@@ -42,6 +50,10 @@ static void open_skin(Contacts* contacts, int b) {
             gap = fmin(gap, (double)body->membrane.first[e]);
     }
     skin->rest_gap = fmax(gap, gap_min * skin->scale);
+    if (contacts_thing(contacts, b)) { // no thickness; its faces may be far larger than a skin's
+        skin->rest_gap = 0;
+        skin->scale = fmin(skin->scale, scale_max(contacts));
+    }
     skin->reference = new_array(real4, body->count);
     memcpy(skin->reference, body->x, (size_t)body->count * sizeof(real4));
     skin->motion.stretch = skin->reference_motion.stretch = 1;
@@ -58,12 +70,15 @@ static void open_pairs(Contacts* contacts) {
 }
 
 bool skin_pairs_may_touch(const Contacts* contacts, int a, int b) {
+    if (contacts_thing(contacts, a) || contacts_thing(contacts, b))
+        return !contacts_thing(contacts, a) || !contacts_thing(contacts, b);
     return a == b ? contacts->skins.self : contacts->skins.others;
 }
 
 static bool any_touch(const Contacts* contacts) {
     return contacts->law != CONTACT_PAPER && contacts->skin_count > 0 &&
-           (contacts->skins.self || (contacts->skins.others && contacts->skin_count > 1));
+           (contacts->skins.self || (contacts->skins.others && contacts->first_thing > 1) ||
+            contacts->thing_count > 0);
 }
 
 double skin_pairs_rest_gap(const Contacts* contacts, int a, int b) {

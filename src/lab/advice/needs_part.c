@@ -96,6 +96,7 @@ static const NeedsPart part_table[] = {
     {"gravity",     "without it",                        .simplify = gravity},
     {"floor",       "without it",                        .key = "floor"},
     {"walls",       "without them",                      .key = "walls"},
+    {"things",      "without them",                      .key = "things"},
     {"spheres",     "without them",                      .key = "spheres"},
     {"friction",    "without it",                        .key = "spheres.*.friction"},
     {"restitution", "without it",                        .key = "spheres.*.restitution"},

@@ -128,7 +128,7 @@ static bool load(const Map* map, MapSets* sets, WorldDef* def, Fault* fault) {
     if (!scene_load(map->def.file, sets->set, sets->count, def, fault))
         return false;
     def->balloons_count = 1;
-    def->spheres_count = def->walls_count = def->pipes_count = 0;
+    def->spheres_count = def->walls_count = def->things_count = def->pipes_count = 0;
     def->floor = NULL;
     return true;
 }

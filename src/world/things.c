@@ -1,0 +1,152 @@
+#include "world/things.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "contact/skins/crossings.h"
+#include "mesh/load.h"
+#include "world/balloon_check.h"
+
+/// Bounding box of a mesh: its middle, and its sides.
+static void box_of(const Mesh* mesh, double4* middle, double4* side) {
+    double4 low = mesh->point[0], high = low;
+    for (int i = 1; i < mesh->point_count; i++)
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], mesh->point[i][k]);
+            high[k] = fmax(high[k], mesh->point[i][k]);
+        }
+    *middle = 0.5 * (low + high);
+    *side = high - low;
+}
+
+/// Height of a point of the capsule of radius 1 and length 4 where its size is another and its ends
+/// stay round.
+static double capsule_height(double y, const double size[3]) {
+    const double diameter = fmin(size[1], fmax(size[0], size[2]));
+    const double straight = (size[1] - diameter) / 2, cap = fabs(y) - 1;
+    return cap < 0 ? y * straight : copysign(straight + cap * diameter / 2, y);
+}
+
+/// Stretch the mesh to its size, about the middle of its box.
+static void stretch(const ThingDef* def, const Mesh* mesh) {
+    double4 middle, side;
+    box_of(mesh, &middle, &side);
+    const bool capsule =
+        strncmp(def->model, "capsule", strlen("capsule")) == 0 && !mesh_format_of(def->model);
+    for (int i = 0; i < mesh->point_count; i++) {
+        double4* p = &mesh->point[i];
+        *p -= middle;
+        const double height = capsule_height((*p)[1], def->size);
+        for (int k = 0; k < 3; k++)
+            (*p)[k] *= side[k] > 0 ? def->size[k] / side[k] : 1; // a flat sheet stays flat
+        if (capsule)
+            (*p)[1] = height;
+    }
+}
+
+/// Rotate about axis k by an angle [degrees].
+static double4 rotate(double4 p, int k, double angle) {
+    const double c = cos(angle * PI / 180), s = sin(angle * PI / 180);
+    const int u = (k + 1) % 3, v = (k + 2) % 3;
+    double4 rotated = p;
+    rotated[u] = c * p[u] - s * p[v];
+    rotated[v] = s * p[u] + c * p[v];
+    return rotated;
+}
+
+/// Move the mesh's points to where the thing begins.
+static void place(const ThingDef* def, const Mesh* mesh) {
+    if (def->size)
+        stretch(def, mesh);
+    const double* to = def->path_count > 0 ? def->path[0].position : def->position;
+    for (int i = 0; i < mesh->point_count; i++) {
+        double4 p = def->scale * mesh->point[i];
+        for (int k = 0; def->rotation && k < 3; k++)
+            p = rotate(p, k, def->rotation[k]);
+        for (int k = 0; to && k < 3; k++)
+            p[k] += to[k];
+        mesh->point[i] = p;
+    }
+}
+
+static bool open_thing(World* world, unsigned number, Fault* fault) {
+    const ThingDef* def = &world->def.things[number];
+    char path[512], name[40];
+    snprintf(name, sizeof name, "things.%u", number);
+    Mesh mesh;
+    MeshReport report = {0};
+    if (!scene_model_path(&world->def, def->model, path, fault) ||
+        !mesh_load(path, &mesh, &report, fault))
+        return false;
+    place(def, &mesh);
+    PathPoint* point = new_array(PathPoint, def->path_count);
+    for (unsigned k = 0; k < def->path_count; k++) {
+        const double* to = def->path[k].position;
+        point[k] = (PathPoint){def->path[k].at, {to[0], to[1], to[2], 0}};
+    }
+    Thing* thing = &world->thing[number];
+    thing_make(thing, &mesh, (real)def->friction, point, (int)def->path_count);
+    world->thing_count++;
+    free(point);
+    if (!balloon_check_position(&thing->body, world->def.file, name, fault))
+        return false;
+    for (int b = 0; b < world->balloon_count; b++)
+        if (crossings_any(&world->balloon[b].body, &thing->body))
+            return fault_set(fault, world->def.file,
+                             "%s (%s) crosses the skin of balloons.%d (%s) at the start; move one "
+                             "of them",
+                             name, def->model, b, world->balloon[b].def->model);
+    return true;
+}
+
+/// Why the scene's contacts or skins know no things, or NULL.
+static const char* refusal(const WorldDef* def) {
+    if (def->contact == CONTACT_PAPER)
+        return "the penalty `contact: paper` knows no things; take `contact: impulse`";
+    for (unsigned b = 0; b < def->balloons_count; b++) {
+        const MembraneDef* membrane = def->balloons[b].skin.membrane;
+        if (membrane && membrane->volume == VOLUME_GLOBAL)
+            return "a skin that touches things needs `volume: local`; `global` moves particles "
+                   "after "
+                   "contacts have been solved";
+    }
+    return NULL;
+}
+
+bool things_open(World* world, Fault* fault) {
+    const char* why = world->def.things_count > 0 ? refusal(&world->def) : NULL;
+    if (why)
+        return fault_set(fault, world->def.file, "things: %s", why);
+    world->thing = new_array(Thing, world->def.things_count);
+    for (unsigned k = 0; k < world->def.things_count; k++)
+        if (!open_thing(world, k, fault))
+            return false;
+    return true;
+}
+
+void things_begin(World* world) {
+    for (int k = 0; k < world->thing_count; k++)
+        thing_reset(&world->thing[k]);
+    if (world->thing_count > 0)
+        contacts_add_things(&world->contacts, world->thing, world->thing_count);
+}
+
+void things_notice(World* world) {
+    for (int k = 0; k < world->thing_count; k++) {
+        Thing* thing = &world->thing[k];
+        if (thing->delay <= 0 || thing->said)
+            continue;
+        thing->said = true;
+        snprintf(world->notice, sizeof world->notice,
+                 "things.%d is held up at %.3g s: it would press a skin to nothing, and moves on "
+                 "when that gives way",
+                 k, world_time(world));
+    }
+}
+
+void things_close(World* world) {
+    for (int k = 0; k < world->thing_count; k++)
+        thing_close(&world->thing[k]);
+    free(world->thing);
+}

@@ -1,0 +1,131 @@
+/// Things: skins and balls rest on them and are pushed by them, and nothing crosses them.
+#include <string.h>
+
+#include "crossings.h"
+
+#define BALLOON(y)                                                                                 \
+    "balloons:\n  - model: icosphere:2\n    size: 0.2\n    position: [0, " y ", 0.01]\n"           \
+    "    skin: {springs: {structural: 60, shear: 20, flexion: 10}}\n"                              \
+    "    mass: {per_particle: 0.0001}\n    inflation: {law: gas, amount: 1.02}\n"                  \
+    "    damping: {rate: 20}\n"
+#define BOX "things: [{model: box, size: [0.6, 0.2, 0.6], position: [0, -0.1, 0]}]\n"
+
+/// The path of a file with this text, which the caller removes.
+static const char* file_of(const char* text, const char* extension) {
+    static char path[64];
+    snprintf(path, sizeof path, "/tmp/balloon-things-%ld%s", (long)getpid(), extension);
+    FILE* out = fopen(path, "w");
+    assert_non_null(out);
+    assert_true(fputs(text, out) >= 0 && fclose(out) == 0);
+    return path;
+}
+
+/// OPEN_TEXT(&world, text, "step=0.001", …): the overrides may be none.
+#define OPEN_TEXT(world, ...) open_text((world), (const char* const[]){__VA_ARGS__, NULL})
+static void open_text(World* world, const char* const* words) {
+    const char* path = file_of(words[0], ".yaml");
+    world_of(world, path, words + 1);
+    remove(path);
+}
+
+static double weight(const World* world) {
+    const Body* body = &world->balloon[0].body;
+    double mass = 0;
+    for (int i = 0; i < body->count; i++)
+        mass += (double)body->mass[i];
+    return mass * body->gravity;
+}
+
+static int crossings_with_things(const World* world) {
+    int count = 0;
+    for (int b = 0; b < world->balloon_count; b++)
+        for (int k = 0; k < world->thing_count; k++)
+            count += crossings_of(&world->balloon[b].body, &world->thing[k].body);
+    return count;
+}
+
+/// A balloon at rest presses on the box with its weight, and does so asleep, too; it lies as high as on
+/// a floor, but for half of its skin's rest gap.
+static void balloon_at_rest_presses_with_its_weight(void** state) {
+    (void)state;
+    World world;
+    OPEN_TEXT(&world, "step: 1e-3\nsleep_threshold: 0.01\n" BOX BALLOON("0.105"));
+    run_for(&world, 2);
+    assert_close(probe(&world, "thing0.fy"), -weight(&world), 1e-3);
+    assert_near(probe(&world, "thing0.fx"), 0, 1e-3 * weight(&world));
+    run_for(&world, 1);
+    assert_true(world.balloon[0].body.asleep);
+    assert_close(probe(&world, "thing0.fy"), -weight(&world), 1e-3);
+    const double height = probe(&world, "balloon0.cy");
+    assert_near(probe(&world, "crossings"), 0, 0);
+    const double gap = world.contacts.skin_pairs.skin[0].rest_gap / 2;
+    world_close(&world);
+    OPEN_TEXT(&world, "step: 1e-3\nfloor: 0\n" BALLOON("0.105"));
+    run_for(&world, 2);
+    assert_near(height - gap, probe(&world, "balloon0.cy"), 2e-4 * 0.2);
+    world_close(&world);
+}
+
+/// A pyramid with a sharp top, and the edge of a box, by every method.
+static void skins_never_cross_edges_and_spikes(void** state) {
+    (void)state;
+    static const char* const spike =
+        "v 0 0.15 0\nv -0.2 -0.1 -0.2\nv 0.2 -0.1 -0.2\nv 0.2 -0.1 0.2\n"
+        "v -0.2 -0.1 0.2\nf 1 3 2\nf 1 4 3\nf 1 5 4\nf 1 2 5\nf 2 3 4 5\n";
+    const char* const method[] = {"method=euler", "method=newton", "method=xpbd",
+                                  "method=projective"};
+    char obj[64], things[160];
+    snprintf(obj, sizeof obj, "%s", file_of(spike, ".obj"));
+    for (int m = 0; m < 8; m++) {
+        World world;
+        snprintf(
+            things, sizeof things, "things=[{model: %s, position: [0, %s}]", m % 2 ? obj : "box",
+            m % 2 ? "-0.17, 0.03]" : "-0.22, 0.03], size: [0.3, 0.3, 0.3], rotation: [0, 20, 45]");
+        OPEN_TEXT(&world, "step: 1e-3\n" BALLOON("0.105"), things, method[m / 2]);
+        int touched = 0;
+        for (int n = 0; n < 5; n++) {
+            run_for(&world, 0.1);
+            assert_false(world.blowup.halted);
+            assert_int_equal(crossings_with_things(&world), 0);
+            touched += world.contacts.contact_count;
+        }
+        assert_true(touched > 0);
+        world_close(&world);
+    }
+    remove(obj);
+}
+
+static void refused_things_are_said_in_one_sentence(void** state) {
+    (void)state;
+    const struct {
+        const char *set, *words;
+    } refused[] = {
+        {"things.0.size=[0.6, 0.4, 0.6]", "things.0 (box) crosses the skin of balloons.0 (icosphere:2)"},
+        {"things=[{model: none.obj}]", "no model 'none.obj'"},
+        {"things=[{model: 'box:0'}]", "write box:N"},
+        {"contact=paper", "things: the penalty `contact: paper` knows no things"},
+        {"balloons.0={model: icosphere:2, skin: {membrane: {material: stvk, young: 1, density: 1, "
+         "thickness: 1e-3, volume: global}}}",
+         "things: a skin that touches things needs `volume: local`"},
+    };
+    const char* path = file_of("step: 1e-3\n" BOX BALLOON("0.105"), ".yaml");
+    for (size_t k = 0; k < sizeof refused / sizeof *refused; k++) {
+        WorldDef def;
+        World world;
+        Fault fault = {0};
+        assert_true(scene_load(path, &(SceneSet){refused[k].set}, 1, &def, &fault));
+        assert_false(world_open(&world, &def, &fault));
+        if (!strstr(fault.text, refused[k].words))
+            fail_msg("%s: got %s", refused[k].set, fault.text);
+    }
+    remove(path);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(balloon_at_rest_presses_with_its_weight),
+        cmocka_unit_test(skins_never_cross_edges_and_spikes),
+        cmocka_unit_test(refused_things_are_said_in_one_sentence),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
