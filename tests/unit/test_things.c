@@ -100,7 +100,8 @@ static void refused_things_are_said_in_one_sentence(void** state) {
     const struct {
         const char *set, *words;
     } refused[] = {
-        {"things.0.size=[0.6, 0.4, 0.6]", "things.0 (box) crosses the skin of balloons.0 (icosphere:2)"},
+        {"things.0.size=[0.6, 0.4, 0.6]",
+         "things.0 (box) crosses the skin of balloons.0 (icosphere:2)"},
         {"things=[{model: none.obj}]", "no model 'none.obj'"},
         {"things=[{model: 'box:0'}]", "write box:N"},
         {"contact=paper", "things: the penalty `contact: paper` knows no things"},
