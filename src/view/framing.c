@@ -26,6 +26,9 @@ Camera framing_all(const World* world) {
         for (int s = 0; s < body->string_count; s++)
             widen(low, high, body->string[s].anchor);
     }
+    for (int k = 0; k < world->thing_count; k++)
+        for (int i = 0; i < world->thing[k].body.count; i++)
+            widen(low, high, world->thing[k].body.x[i]);
     spheres_widen(world, low, high);
     return camera_framing(low, high);
 }

@@ -11,6 +11,7 @@
 #include "view/string_lines.h"
 #include "view/spheres.h"
 #include "view/surface.h"
+#include "view/thing_surface.h"
 #include "world/world.h"
 
 /// The maximum number of lines, or of balls, of a balloon over all modes.
@@ -35,8 +36,10 @@ static void ensure_capacity(Picture* picture, int spheres) {
 
 void picture_open(Picture* picture, const World* world) {
     *picture = (Picture){
-        .skin = new_array(PictureSkin, world->balloon_count),
-        .skin_count = world->balloon_count,
+        .skin = new_array(PictureSkin, world->balloon_count + world->thing_count),
+        .skin_count = world->balloon_count + world->thing_count,
+        .balloon_count = world->balloon_count,
+        .thing_count = world->thing_count,
         .floor = world->def.floor != NULL,
         .floor_height = world->def.floor ? (float)*world->def.floor : 0,
     };
@@ -48,6 +51,9 @@ void picture_open(Picture* picture, const World* world) {
         picture->line_capacity += max_count(balloon, false) + STRING_SEGMENTS * strings;
         picture->ball_reserved += max_count(balloon, true) + STRING_KNOTS * strings;
     }
+    for (int k = 0; k < world->thing_count; k++)
+        thing_surface_open(&picture->skin[world->balloon_count + k], &world->thing[k],
+                           world->def.things[k].color);
     picture->line = new_array(PictureLine, picture->line_capacity);
     ensure_capacity(picture, world->contacts.sphere_count);
 }
@@ -116,9 +122,12 @@ void picture_update(Picture* picture, const World* world, const Camera* camera, 
         picture->changed |= surface_update(skin, &world->balloon[b]);
         string_lines_add(picture, &world->balloon[b]);
     }
+    PictureSkin* thing = &picture->skin[world->balloon_count];
+    for (int k = 0; k < picture->thing_count; k++)
+        picture->changed |= thing_surface_update(&thing[k], &world->thing[k]);
+    PictureSkin* ghost = &thing[picture->thing_count];
     for (int b = 0; picture->ghost && b < picture->ghost->balloon_count; b++)
-        picture->changed |=
-            surface_update(&picture->skin[world->balloon_count + b], &picture->ghost->balloon[b]);
+        picture->changed |= surface_update(&ghost[b], &picture->ghost->balloon[b]);
     bound(picture, world);
     spheres_add(picture, world);
 
@@ -155,8 +164,12 @@ void picture_ball(Picture* picture, const float center[3], float radius, const f
 }
 
 void picture_close(Picture* picture) {
+    const int things_end = picture->balloon_count + picture->thing_count;
     for (int b = 0; b < picture->skin_count; b++)
-        surface_close(&picture->skin[b]);
+        if (b < picture->balloon_count || b >= things_end)
+            surface_close(&picture->skin[b]);
+        else
+            thing_surface_close(&picture->skin[b]);
     free(picture->skin);
     free(picture->line);
     free(picture->ball);

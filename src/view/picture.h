@@ -26,7 +26,7 @@ typedef enum SkinPaint {
     PAINT_COUNT
 } SkinPaint;
 
-/// One balloon's surface.
+/// The surface of a balloon or of a thing, which has only PAINT_FIELD and what that needs.
 typedef struct PictureSkin {
     int point_count;
     int triangle_count;
@@ -64,7 +64,8 @@ typedef struct Picture {
     long stamp;   ///< changes whenever skins or balls change; 0: unknown
     bool changed; ///< skins or balls have changed since the last stamp
     int skin_count;
-    PictureSkin* skin;         ///< [skin_count] the world's, then the ghost's
+    int balloon_count, thing_count; ///< of the world
+    PictureSkin* skin; ///< [skin_count] the world's balloons, its things, then the ghost's balloons
     const struct World* ghost; ///< NULL: there is none
     int line_count;
     int line_capacity;

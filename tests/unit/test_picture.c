@@ -211,6 +211,39 @@ static void a_picture_has_a_new_stamp_when_it_is_another(void** state) {
     studio_close(&studio);
 }
 
+/// A box has flat faces and moves along its path; the ghost's balloon is drawn behind it.
+static void a_thing_is_opaque_and_has_sharp_edges(void** state) {
+    (void)state;
+    Studio studio, other;
+    const char* const words[] = {
+        "cube",
+        "things=[{model: box, path: [{position: [3, 0, 0]}, {at: 1, position: [4, 0, 0]}]}]",
+        "units=si", "gravity=0", NULL};
+    studio_open(&studio, words);
+    studio_open(&other, words);
+    picture_ghost(&studio.picture, &other.world);
+    assert_int_equal(studio.picture.skin_count, 3);
+    const PictureSkin* skin = &studio.picture.skin[1];
+    assert_int_equal(skin->point_count, 36);
+    assert_int_equal(skin->paint, PAINT_FIELD);
+    const float before = skin->position[0][0];
+    run_for(&studio.world, 1);
+    picture_update(&studio.picture, &studio.world, &studio.camera, &mode_skin);
+    assert_near((double)(skin->position[0][0] - before), 1, 1e-5);
+    const float center[3] = {4, 0, 0};
+    for (int i = 0; i < 36; i++) {
+        float from[3];
+        for (int k = 0; k < 3; k++)
+            from[k] = skin->position[i][k] - center[k];
+        assert_near(dot3(skin->normal[i], from), 0.5, 1e-5); // of length 1 along an axis
+    }
+    assert_int_equal(studio.picture.skin[2].paint, PAINT_GHOST);
+    assert_near((double)studio.picture.skin[2].position[0][0],
+                (double)studio.picture.skin[0].position[0][0], 0.5);
+    studio_close(&studio);
+    studio_close(&other);
+}
+
 static void the_scenes_camera_stands_where_it_says(void** state) {
     (void)state;
     Studio studio;
@@ -237,6 +270,7 @@ int main(void) {
         cmocka_unit_test(every_ball_is_drawn_in_every_mode),
         cmocka_unit_test(a_ball_widens_the_scene_unless_it_has_flown_away),
         cmocka_unit_test(a_picture_has_a_new_stamp_when_it_is_another),
+        cmocka_unit_test(a_thing_is_opaque_and_has_sharp_edges),
         cmocka_unit_test(the_scenes_camera_stands_where_it_says),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
