@@ -263,7 +263,7 @@ void skin_pairs_update(Contacts* contacts, double h) {
     const double longest = reach_max(contacts);
     forget_motions(contacts);
     look_for_crossed(contacts, longest);
-    skin_motion_measure_velocities(contacts);
+    // by the velocities of the last limit: it is a forecast, which the next limit corrects
     bool* made = pairs->made;
     for (int a = 0; a < contacts->skin_count; a++)
         for (int b = a; b < contacts->skin_count; b++)
