@@ -1,5 +1,7 @@
 #include "contact/contact.h"
 
+#include "contact/inertia.h"
+
 enum {
     MAX_ITERATIONS = 50,
     FULL_PASS_INTERVAL = 4, ///< iterations after which inactive contacts are visited again
@@ -28,7 +30,33 @@ void contact_set_masses(Contact* contact) {
     contact->tangent_mass = 1 / (translation + rotation);
 }
 
-/// sum_k w_k v_k: u without the spins, which change u across n only.
+void contact_set_couple(Contact* contact, double4 arm) {
+    double4 center = {0}, r[CONTACT_NODES];
+    double mass = 0;
+    contact->has_couple = false;
+    for (int k = 0; k < contact->node_count; k++) {
+        r[k] = to_double4(*contact->node[k].position);
+        mass += (double)contact->node[k].mass;
+        center += (double)contact->node[k].mass * r[k];
+    }
+    if (!(mass < INFINITY))
+        return;
+    center /= mass;
+    Inertia inertia = {{{0}}}, inverse;
+    for (int k = 0; k < contact->node_count; k++)
+        inertia_add(&inertia, (double)contact->node[k].mass, r[k] - center);
+    if (!inertia_invert(&inertia, &inverse))
+        return;
+    contact->has_couple = true;
+    contact->couple.center = to_real4(center);
+    for (int k = 0; k < 3; k++) {
+        double4 axis = {0};
+        axis[k] = 1;
+        contact->couple.column[k] = to_real4(inertia_times(&inverse, dcross(axis, arm)));
+    }
+}
+
+/// sum_k w_k v_k: u without the spins and the couple, which change u across n only.
 static real4 translation(const Contact* c) {
     real4 u = c->node[0].weight * *c->node[0].velocity;
     for (int k = 1; k < c->node_count; k++)
@@ -36,8 +64,21 @@ static real4 translation(const Contact* c) {
     return u;
 }
 
-/// sum_k spin_k x r_k
+/// B^T L
+static real4 couple(const Contact* c) {
+    real4 angular = {0, 0, 0, 0}, u = {0, 0, 0, 0}; // L, without what all velocities have in common
+    for (int k = 1; k < c->node_count; k++)
+        angular += c->node[k].mass * cross(*c->node[k].position - c->couple.center,
+                                           *c->node[k].velocity - *c->node[0].velocity);
+    for (int k = 0; k < 3; k++)
+        u[k] = dot(c->couple.column[k], angular);
+    return u;
+}
+
+/// sum_k spin_k x r_k, or B^T L
 static real4 rotation(const Contact* c) {
+    if (c->has_couple)
+        return couple(c);
     real4 u = {0, 0, 0, 0};
     for (int k = 0; k < c->lever_count; k++)
         u += cross(*c->lever[k].spin, c->lever[k].arm);
@@ -54,6 +95,8 @@ static void apply(const Contact* c, real4 impulse) {
         *c->lever[k].spin += c->lever[k].inverse_inertia * cross(c->lever[k].arm, impulse);
     for (int k = 0; k < c->node_count; k++)
         *c->node[k].velocity += c->node[k].response * impulse;
+    for (int k = 0; c->has_couple && k < c->node_count; k++)
+        *c->node[k].velocity += contact_couple_velocity(c, impulse, k);
 }
 
 /// Solve one contact for its impulse, the others held. Returns the change of velocity.

@@ -17,7 +17,16 @@
 ///     |P_t| <= friction P_n        Coulomb's law; P_t acts against the tangential part of u
 ///
 /// u is the velocity in the middle of the drift, n.u + a that at its start, a the fall_speed.
-/// P and -P act along one line through p, so linear and angular momentum are kept to rounding. The
+/// P and -P act along one line through p, so linear and angular momentum are kept to rounding. Two
+/// skins are a gap d apart when they touch, so P_t at both nearest points has the moment d n x P_t: a
+/// couple takes it back by the least change of the nodes' velocities, a rigid rotation w about their
+/// centre of mass c,
+///
+///     v_k += w x (x_k - c),   w = B P_t,   B = -I^-1 [d n]x,   I the nodes' inertia tensor
+///     u = sum_k w_k v_k + B^T L,   L = sum_k m_k (x_k - c) x v_k
+///
+/// and u, its adjoint, is the same for any rigid motion of the nodes: two skins that roll over each
+/// other together do not rub. B n = 0, so normal impulses and n.u are as without it. The
 /// normal impulses without restitution minimize the kinetic energy under the first condition, so
 /// the energy does not rise; where restitution or the separation of an overlap would raise it, the
 /// solver scales both down. Only rigid pairs, which cannot give way, undo an overlap even so.
@@ -48,13 +57,23 @@ typedef struct ContactLever {
     real inverse_inertia; ///< 1 / I_k [1/(kg m^2)]
 } ContactLever;
 
+/// The couple of a contact's tangent impulse.
+typedef struct ContactCouple {
+    real4 center;    ///< c [m]
+    real4 column[3]; ///< of B [rad/s per N s]
+} ContactCouple;
+
 /// Five cache lines in float: a list of contacts is longer than the first cache.
 typedef struct Contact {
     // the stencil: all that the solver knows of the two sides
     ContactNode node[CONTACT_NODES];
-    ContactLever lever[CONTACT_LEVERS];
+    union {
+        ContactLever lever[CONTACT_LEVERS];
+        ContactCouple couple; ///< where has_couple; then no node is rigid
+    };
     int node_count;
-    int lever_count;       ///< of the first nodes, which are rigid
+    int lever_count; ///< of the first nodes, which are rigid
+    bool has_couple;
     real4 normal;          ///< n
     real gap;              ///< [m] less than 0 where they overlap
     real size;             ///< [m] radius of the smaller ball
@@ -92,6 +111,18 @@ typedef struct ContactReport {
 
 /// Effective masses along and across the normal, of the nodes and levers.
 void contact_set_masses(Contact* contact);
+
+/// Set the couple of a contact without levers whose sides are nearest at points `arm` apart, from the
+/// second side's to the first's. None where a node is held: it takes any moment.
+void contact_set_couple(Contact* contact, double4 arm);
+
+/// What an impulse changes node k's velocity by, besides its response.
+static inline real4 contact_couple_velocity(const Contact* contact, real4 impulse, int k) {
+    const ContactCouple* couple = &contact->couple;
+    const real4 spin = impulse[0] * couple->column[0] + impulse[1] * couple->column[1] +
+                       impulse[2] * couple->column[2];
+    return cross(spin, *contact->node[k].position - couple->center);
+}
 
 /// Set initial_velocity and min_separation_speed for a method that solves the contacts within its own
 /// equation. Only rigid pairs bounce: a skin that gives way bounces a ball by its own elasticity.

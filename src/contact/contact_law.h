@@ -11,10 +11,11 @@ typedef enum ContactLaw {
 } ContactLaw;
 extern const char* const contact_law_name[CONTACT_LAWS];
 
-/// Which skins may touch.
+/// Which skins may touch, and how.
 typedef struct SkinContacts {
-    bool self;   ///< a skin itself
-    bool others; ///< two skins each other
+    bool self;       ///< a skin itself
+    bool others;     ///< two skins each other
+    double friction; ///< Coulomb's coefficient
 } SkinContacts;
 
 #endif

@@ -147,6 +147,7 @@ static const KeyGroup solver_keys = GROUP(solver_row, SolverDef);
 static const Key contacts_row[] = {
     {{"self", NO_NUMBER, "a skin touches itself"}, KEY_FLAG, AT(self)},
     {{"others", NO_NUMBER, "two skins touch each other"}, KEY_FLAG, AT(others)},
+    {{"friction", "1", NOT_NEGATIVE, RUBBER_FRICTION, "Coulomb's coefficient between skins"}, KEY_NUMBER, AT(friction)},
 };
 #undef DEF
 static const KeyGroup contacts_keys = GROUP(contacts_row, SkinContacts);
@@ -186,7 +187,7 @@ static const Key world_row[] = {
      AT(fails), .group = &fails_keys},
     {{"contact", NO_NUMBER, "impulses that keep momentum, or the mass-spring paper's penalty"},
      KEY_NAME, AT(contact), .name = contact_law_name, .name_count = CONTACT_LAWS},
-    {{"contacts", NO_NUMBER, "which skins touch; one that does is never crossed"}, KEY_MAPPING, AT(contacts),
+    {{"contacts", NO_NUMBER, "which skins touch, and how; one that does is never crossed"}, KEY_MAPPING, AT(contacts),
      .group = &contacts_keys},
     {{"spheres", NO_NUMBER, "balls that are there from the start"}, LIST(spheres, sphere_keys)},
     {{"walls", NO_NUMBER, "half-spaces beside the floor"}, LIST(walls, wall_keys)},

@@ -110,6 +110,10 @@ static void subtract_impulse(Group* group, const ContactTerm* term, real4 impuls
     for (int k = 0; k < c->node_count; k++)
         if (moves(&term->node[k]))
             *entry(group, &term->node[k], GROUP_RESIDUAL) -= c->node[k].weight * impulse;
+    for (int k = 0; c->has_couple && k < c->node_count; k++)
+        if (moves(&term->node[k]))
+            *entry(group, &term->node[k], GROUP_RESIDUAL) -=
+                c->node[k].mass * contact_couple_velocity(c, impulse, k);
     for (int k = 0; k < c->lever_count; k++)
         entry(group, &term->node[k], GROUP_RESIDUAL)[1] -= cross(c->lever[k].arm, impulse);
 }

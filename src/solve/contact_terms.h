@@ -11,6 +11,7 @@
 ///     H = -dP/du = k n n^T + k_t (1 - n n^T)             where it sticks
 ///                  k n n^T + k_t |P_t|/|d| (1 - n n^T - d d^T/|d|^2),  d = L_t - k_t u_t, sliding
 ///
+/// J contains the couple of contact.h; H, that of an approximate Newton's method, leaves it out.
 /// J^T H J joins the tangent: the blocks of nodes of one body that the body's matrix has, in that
 /// matrix, and so in the preconditioner's levels; the others are multiplied contact after contact.
 /// Equal and opposite impulses along one line keep momenta as in contact.h. Sources: P. Alart, A.

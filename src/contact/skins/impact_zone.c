@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "contact/inertia.h"
 #include "contact/reaction.h"
 #include "contact/skins/skin_pairs.h"
 #include "mesh/counting_sort.h"
@@ -100,24 +101,6 @@ static Particle particle_of(const Zones* zones, int i) {
                       b};
 }
 
-/// The inverse of the inertia tensor a times the angular momentum l: the angular velocity; 0 about an axis with
-/// no extent.
-static double4 angular_velocity(double a[3][3], double4 l) {
-    // cofactors of the symmetric tensor
-    const double4 c[3] = {
-        {a[1][1] * a[2][2] - a[1][2] * a[2][1], a[1][2] * a[2][0] - a[1][0] * a[2][2],
-         a[1][0] * a[2][1] - a[1][1] * a[2][0], 0},
-        {a[0][2] * a[2][1] - a[0][1] * a[2][2], a[0][0] * a[2][2] - a[0][2] * a[2][0],
-         a[0][1] * a[2][0] - a[0][0] * a[2][1], 0},
-        {a[0][1] * a[1][2] - a[0][2] * a[1][1], a[0][2] * a[1][0] - a[0][0] * a[1][2],
-         a[0][0] * a[1][1] - a[0][1] * a[1][0], 0}};
-    const double determinant = a[0][0] * c[0][0] + a[0][1] * c[0][1] + a[0][2] * c[0][2];
-    const double trace = a[0][0] + a[1][1] + a[2][2];
-    if (!(determinant > 1e-12 * trace * trace * trace))
-        return (double4){0};
-    return (double4){ddot(c[0], l), ddot(c[1], l), ddot(c[2], l), 0} / determinant;
-}
-
 /// The rigid motion of a zone's momenta.
 static void move_rigidly(const Zones* zones, const int* member, int count) {
     double mass = 0;
@@ -130,16 +113,15 @@ static void move_rigidly(const Zones* zones, const int* member, int count) {
     }
     center /= mass;
     const double4 velocity = momentum / mass;
-    double inertia[3][3] = {{0}};
+    Inertia inertia = {{{0}}}, inverse = {{{0}}}; // no spin about an axis without extent
     for (int k = 0; k < count; k++) {
         const Particle p = particle_of(zones, member[k]);
         const double4 r = p.x - center;
         angular += p.mass * dcross(r, to_double4(*p.v) - velocity);
-        for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 3; j++)
-                inertia[i][j] += p.mass * ((i == j ? ddot(r, r) : 0) - r[i] * r[j]);
+        inertia_add(&inertia, p.mass, r);
     }
-    const double4 spin = angular_velocity(inertia, angular);
+    inertia_invert(&inertia, &inverse);
+    const double4 spin = inertia_times(&inverse, angular);
     for (int k = 0; k < count; k++) {
         const Particle p = particle_of(zones, member[k]);
         *p.v = to_real4(velocity + dcross(spin, p.x - center));

@@ -88,7 +88,7 @@ static void add(Contacts* contacts, int row, const FeaturePair* pair, double h) 
                          .normal = to_real4(pair->normal),
                          .gap = (real)(pair->distance - pair->rest_gap),
                          .size = (real)contacts->skin_pairs.skin[first].scale,
-                         .friction = thing ? thing->friction : 0,
+                         .friction = thing ? thing->friction : (real)contacts->skins.friction,
                          .side = {contacts->sphere_count + (swapped ? second : first),
                                   contacts->sphere_count + (swapped ? first : second)},
                          .row = row,
@@ -102,6 +102,8 @@ static void add(Contacts* contacts, int row, const FeaturePair* pair, double h) 
     if (response <= 0) // all are held
         return;
     contact_set_masses(contact);
+    if (contact->friction > 0)
+        contact_set_couple(contact, pair->distance * pair->normal);
     contacts_wake(contacts, first, second);
     contacts_wake(contacts, second, first);
     pair_keep(contacts, true, h);
