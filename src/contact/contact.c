@@ -1,6 +1,6 @@
 #include "contact/contact.h"
 
-#include "contact/inertia.h"
+#include "base/inertia.h"
 
 enum {
     MAX_ITERATIONS = 50,

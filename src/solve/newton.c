@@ -221,7 +221,8 @@ static double group_scale(const Group* group, double h) {
 /// how far the contacts are from what they demand. *solved: R and the contacts are within tolerance.
 static double update_contacts(Group* group, double size, double* size_updated, double size_max,
                               double contact_max, bool* solved) {
-    if (!(size <= size_max || (*size_updated > contact_max && size <= update_share * *size_updated)))
+    if (!(size <= size_max ||
+          (*size_updated > contact_max && size <= update_share * *size_updated)))
         return size;
     contact_terms_update_multipliers(group);
     *size_updated = group_inverse_mass_norm(group, GROUP_RESIDUAL);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
-#include "contact/inertia.h"
+#include "base/inertia.h"
 #include "contact/reaction.h"
 #include "contact/skins/skin_pairs.h"
 #include "mesh/counting_sort.h"

@@ -1,4 +1,4 @@
-#include "contact/inertia.h"
+#include "base/inertia.h"
 
 /// [cubes of the trace] least determinant of points that are not on one line
 static const double determinant_min = 1e-12;

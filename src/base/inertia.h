@@ -1,6 +1,6 @@
 /// The inertia tensor of a few points, and its inverse.
-#ifndef BALLOON_CONTACT_INERTIA_H
-#define BALLOON_CONTACT_INERTIA_H
+#ifndef BALLOON_BASE_INERTIA_H
+#define BALLOON_BASE_INERTIA_H
 
 #include <stdbool.h>
 
