@@ -42,7 +42,7 @@ BITS     := -O2 -ffp-contract=off -fno-math-errno -fno-trapping-math
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wvla -Wimplicit-fallthrough -Wundef -Wno-psabi
 WARN_C   := -Wstrict-prototypes -Wmissing-prototypes
 CPPFLAGS := -Isrc -D_POSIX_C_SOURCE=200809L -MMD -MP
-# libraries' headers are not ours to warn about
+# no warnings about libraries' headers
 includes  = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I imgui bullet 2>/dev/null))
 # Bullet is one library for each precision; they do not mix
 bullet_float  = -lBulletSoftBody -lBulletDynamics -lBulletCollision -lLinearMath
@@ -51,7 +51,7 @@ libraries = -lassimp -lyaml -limgui -lstb -lglfw -lEGL -lOpenGL -lpng -lcholmod 
     -lsuitesparseconfig -lm -ldl -lpthread
 
 SOURCES  := $(filter-out src/main.c,$(wildcard src/*/*.c src/*/*/*.c src/*/*.cpp src/*/*/*.cpp))
-# kernels are compiled for the plainest machine of a kind, and again for a newer one (base/cpu.h)
+# kernels are compiled for the baseline of an architecture, and again for newer machines (base/cpu.h)
 KERNELS  := $(if $(filter x86_64,$(shell uname -m)),$(wildcard src/*/*_kernel.c src/*/*/*_kernel.c src/force/material_*.c))
 HEADERS  := $(wildcard src/*/*.h src/*/*/*.h)
 # a header that a source includes first is checked by that source's compilation
@@ -64,7 +64,7 @@ SANITIZED := BUILD=build/sanitized CC=clang CXX=clang++ COVERAGE=-fsanitize=fuzz
     EXTRA="-Werror -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 READERS   := base/% mesh/% scene/% cli/% world/record.%
 COVERAGE  :=
-# what a world needs to step, without programs around it
+# the sources for stepping a world, without the programs
 STEPPING  := $(filter-out $(addprefix src/,lab/% view/% draw/% hud/% show/% cli/%),$(SOURCES))
 ONLY    ?=
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
@@ -92,8 +92,8 @@ test: packages-build packages-run packages-test
 	@$(MAKE) --no-print-directory -j$(JOBS) programs tests
 	@JOBS=$(JOBS) tests/run.sh $(BUILD) $(ONLY)
 
-# gcc's build is the one that the tests ran, or is made here; clang's is held against the same
-# table of hashes, with the kernels of the plainest machine and two threads
+# gcc's build is that of the tests, or is made here; clang's is compared with the same
+# table of hashes, with the baseline kernels and two threads
 check: packages-build packages-run packages-test packages-check
 	@tests/format.sh
 	@tests/layers.sh
@@ -166,7 +166,7 @@ install: all
 	install $(BUILD)/balloon $(BUILD)/balloon-double $(DESTDIR)$(PREFIX)/bin
 	cp -r assets shaders $(DESTDIR)$(PREFIX)/share/balloon
 
-# --- packages: exactly what is missing, with sudo when not root, and said ---------------------------
+# --- packages: installs those that are missing, with sudo when not root, and prints the command ----
 
 # missing: packages that are not there, or on other systems libraries $(2) and commands $(3)
 define find_missing
@@ -243,7 +243,7 @@ $$(BUILD)/$(1)/fuzz: tests/fuzz/fuzz.c tests/fuzz/targets.h $$(BUILD)/$(1)/libba
 	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) -Isrc -D_POSIX_C_SOURCE=200809L -c $$< -o $$@.o
 	@$$(CXX) $$(EXTRA) -fsanitize=fuzzer $$@.o $$(BUILD)/$(1)/libballoon.a $$(bullet_$(1)) $$(libraries) -o $$@
 
-# a test's own lines are quicker compiled than optimized; what it calls is optimized in the library
+# tests are compiled without optimization, which is quicker; the library that they call is optimized
 $$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
 	@mkdir -p $$(@D)
 	@echo "  $$@"

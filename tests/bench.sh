@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the scenes cost: CPU time of stepping alone, median of three after a warm-up, one thread.
+# CPU time of the scenes' steps, without drawing: median of three after a warm-up, one thread.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${1:-build}
@@ -17,11 +17,11 @@ for scene in assets/scenes/*.yaml; do
             'BEGIN { printf "%-24s %-7s %10d %16.3f %10.1f\n", scene, state == "" ? "float" : "double", n, ms, 1000 / ms }'
     done
 done
-# all that is timed, against the figures kept on this machine
+# all timed benches, compared with the figures stored on this machine
 "$build/balloon" bench --out out
-# what no scene needs, of every shipped one
+# unneeded parts of every shipped scene
 "$build/balloon" needs --all --quick --out out
-# how long an advice takes, of every shipped scene that is about something: two minutes at most
+# time of an advice for every shipped scene that names outputs: at most two minutes
 printf '%-24s %8s  %s\n' scene "advice s" "within 8 ms a frame"
 for scene in $("$build/balloon" needs | sed -nE 's/^([a-z][^ ]*) .* at .*/\1/p'); do
     start=$(date +%s)

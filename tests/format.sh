@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every source is as clang-format 14 has it.
+# Every source is formatted by clang-format 14.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 find src tests/unit -name "*.[ch]" -o -name "*.[ch]pp" | sort | xargs clang-format --dry-run -Werror

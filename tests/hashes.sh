@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # The state of every scene by every method in both precisions, as a table of hashes: the same input
-# gives the same bits, whatever the compiler, the kernels and the threads, and as it did before.
+# gives the same bits with every compiler, kernel and number of threads, and the same as before.
 #
-#   hashes.sh check BUILD       hold all of it against tests/golden/hashes.csv
+#   hashes.sh check BUILD       compare all runs with tests/golden/hashes.csv
 #   hashes.sh check-own BUILD   only each scene by its own method
 #   hashes.sh touch BUILD       for a build with sanitizers: each scene by its own method in float for
-#                               0.05 s, without a table; what a sanitizer says fails
+#                               0.05 s, without a table; a sanitizer's message is a failure
 #   hashes.sh renew BUILD       write the table anew, after a change of bits on purpose
 #
-# A scene runs for 1 s by its own method, or 0.3 s by Newton's, whose every step solves for the whole
-# skin from the last one's result; for 0.02 s by each other method. A pair that is refused is
-# `refused`, a run that halts is `halted`; neither depends on the wording of a sentence. THREADS: of
+# A scene runs for 1 s by its own method, or 0.3 s by Newton's, whose steps depend on all
+# particles of the last one; for 0.02 s by each other method. A refused pair has the row
+# `refused`, a halted run `halted`, independent of the wording of sentences. THREADS: threads of
 # each run, 1; JOBS: runs side by side.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -20,12 +20,12 @@ golden=tests/golden/hashes.csv
 now=$(mktemp)
 trap 'rm -f "$now" "$now".*' EXIT
 
-# one SCENE METHOD PRECISION SECONDS: its row
+# one SCENE METHOD PRECISION SECONDS: print its row
 one() {
     local program=balloon hash status=0
     [ "$3" = float ] || program=balloon-double
     hash=$("$build/$program" run "$1" --method "$2" --seconds "$4" --threads "$THREADS" --hash --quiet 2>/dev/null) || status=$?
-    # nothing begins where the pair is refused: not even a state of no time
+    # a refused pair does not even have an initial state
     if [ $status != 0 ]; then
         hash=halted
         "$build/$program" run "$1" --method "$2" --seconds 1e-9 --hash --quiet >/dev/null 2>&1 || hash=refused
@@ -34,7 +34,7 @@ one() {
 }
 export -f one
 
-# touch SCENE: a scene may refuse or halt, but a sanitizer may say nothing
+# touch SCENE: the scene may be refused or halt, but without a message of a sanitizer
 touch_scene() {
     "$build/balloon" run "$1" --seconds 0.05 --threads 2 --hash --quiet 2>&1 >/dev/null | grep -E -A 20 'Sanitizer|runtime error' || return 0
     echo "hashes: a sanitizer stopped $1"

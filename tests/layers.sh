@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Includes point one way: who may include whom, by the folders of src/. Judged on direct includes.
+# Includes point one way: which folder of src/ may include which. Direct includes are checked.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -28,7 +28,7 @@ declare -A may=(
     [show]="base world lab/run lab/truth lab/stability lab/advice lab/bench view draw hud show"
     [cli]="base mesh body force solve scene world lab/run lab/chart lab/stability lab/advice lab/bench lab/peer view show cli"
 )
-# a library's folders, or the one file of a folder that may see it
+# the folders that may include a library, or the one file of a folder that may
 declare -A library=(
     [assimp]="mesh" [yaml.h]="scene" [cglm]="view" [EGL]="draw" [GL/]="draw"
     [imgui]="hud" [GLFW]="show" [X11/]="show/display.c" [png.h]="show" [suitesparse]="solve/factor.c"

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Runs the tests of a build folder, both precisions, and adds up what they say; with a WORD, those
+# Runs the tests of a build folder in both precisions and adds up their results; with a WORD, those
 # that have it in their name. JOBS programs run side by side, each one's output stays together.
 # A test program is cmocka's, or a script that ends in "N passed, N failed".
 #
 #   run.sh BUILD [WORD]
 #
-# SHORT=1 leaves out what a slow build repeats only (tests/README.md); PRECISIONS: float, double or
+# SHORT=1 omits tests that a slow build would only repeat (tests/README.md); PRECISIONS: float, double or
 # both, as by default; JOBS: programs side by side.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -24,7 +24,7 @@ one() {
     tell "$name" "$file" "$(awk '{ printf "%.1f", $1 + $2 }' "$file.cpu")"
 }
 
-# tell NAME FILE CPU_SECONDS: one line, or all that it said where anything failed
+# tell NAME FILE CPU_SECONDS: print one line, or all of the test's output if anything failed
 tell() {
     local ok bad status
     status=$(cat "$2.status")
@@ -49,7 +49,7 @@ tell() {
 }
 export -f one tell
 
-# what SHORT leaves out: long runs of what other tests walk as well
+# omitted by SHORT: long runs of code that other tests reach too
 is_left_out() {
     [ -n "${SHORT:-}" ] || return 1
     case $1 in

@@ -1,5 +1,5 @@
-# What the script tests share: where things are, count what passed, say what failed. Sourced from the
-# root with the script's own arguments, a build folder or none.
+# Common to the script tests: paths, counts of passed and failed checks, messages. Sourced from the
+# root with the script's arguments, a build folder or none.
 build=$(realpath "${1:-build}")
 balloon=$build/balloon double=$build/balloon-double
 scratch=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the sources keep to beside the compiler's warnings: sizes, one meaning for a name, includes
-# without a circle, comments that name files that exist, and a top level that stays as it is.
+# Rules for the sources beside the compiler's warnings: sizes, one meaning for a name, includes
+# without a circle, comments that name existing files, a fixed top level.
 #
 #   structure.sh BUILD    a build with the programs in it; prints the sizes
 set -euo pipefail

@@ -9,8 +9,8 @@
 ///
 /// W is the material's (force/material.h). Thickness is no direction of its own but a number: what
 /// the material makes of it (incompressible rubber: h = h0 A0 / A), or a state that volume
-/// preservation keeps (constraint/volume_constraint.h). Bending and transverse shear have no energy. Source: the
-/// thin-shell balloon paper, "Three-prism element", with the 3 x 2 gradient.
+/// preservation keeps (constraint/volume_constraint.h). Bending and transverse shear have no
+/// energy. Source: the thin-shell balloon paper, "Three-prism element", with the 3 x 2 gradient.
 ///
 /// A quad is split along its shorter diagonal. Where the diagonals are alike, it is split along
 /// both into four elements of half weight, so that a symmetric mesh stays symmetric.

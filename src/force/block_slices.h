@@ -2,10 +2,10 @@
 /// body/slices.h), blocks without spare lanes. Forces add their blocks to the BlockMatrix, which
 /// has one row after the other.
 ///
-/// Its benefit: in float a frame of the rubber teddy takes 1.7 to 1.9 times as long if the conjugate
-/// gradients use products of the BlockMatrix (measured as in solve/multigrid/multigrid.h). Products are
-/// limited by memory reads: nine numbers a block in slices, twelve in a BlockMatrix, which also has one
-/// row at a time.
+/// Its benefit: in float a frame of the rubber teddy takes 1.7 to 1.9 times as long if the
+/// conjugate gradients use products of the BlockMatrix (measured as in
+/// solve/multigrid/multigrid.h). Products are limited by memory reads: nine numbers a block in
+/// slices, twelve in a BlockMatrix, which also has one row at a time.
 #ifndef BALLOON_FORCE_BLOCK_SLICES_H
 #define BALLOON_FORCE_BLOCK_SLICES_H
 

@@ -31,8 +31,8 @@ typedef struct Force {
     /// Whether this body has this force now.
     bool (*present)(const Body* body);
 
-    /// A row computes its force in up to three ways, whose results are added. First, by the shared pass
-    /// over the particles' neighbors: returns the flags of the sums that it needs (sweep.h).
+    /// A row computes its force in up to three ways, whose results are added. First, by the shared
+    /// pass over the particles' neighbors: returns the flags of the sums that it needs (sweep.h).
     unsigned (*sweep)(const Body* body);
 
     /// Second, after that pass, by its terms of the uniform forces (uniform.h).
@@ -55,9 +55,9 @@ typedef struct Force {
     /// Stencils of K; they never change. NULL: K couples no two particles.
     Stencils (*stencils)(const Body* body);
 
-    /// Add factor K to the matrix: block_at[s][i][j] is the index of the block of corners i and j of
-    /// stencil s. `project` replaces each stencil's matrix by its positive semidefinite
-    /// part. NULL: K is in `product` alone.
+    /// Add factor K to the matrix: block_at[s][i][j] is the index of the block of corners i and j
+    /// of stencil s. `project` replaces each stencil's matrix by its positive semidefinite part.
+    /// NULL: K is in `product` alone.
     void (*assemble)(const Body* body, double factor, bool project, const int* block_at,
                      BlockMatrix* matrix);
 
@@ -71,8 +71,8 @@ typedef struct Force {
     /// Its energy is stored in the skin or its strings, and counts in the output `elastic`.
     bool elastic;
 
-    /// Its stiffness grows without limit as an element is compressed: the bound on the step may fall by
-    /// any factor between two checks.
+    /// Its stiffness grows without limit as an element is compressed: the bound on the step may
+    /// fall by any factor between two checks.
     bool stiffens;
 
     /// It acts from outside. Total force and torque of every other row vanish on a free balloon,

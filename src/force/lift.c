@@ -14,8 +14,8 @@ static bool present(const Body* body) {
     return body->inflation.law == INFLATE_GAS && body->inflation.weighs && body->gravity != 0;
 }
 
-/// f = of_moment dM/dx + of_volume dV/dx. Heights are measured from a level near the skin, so that a
-/// skin far from the origin loses no digits.
+/// f = of_moment dM/dx + of_volume dV/dx. Heights are measured from a level near the skin, so that
+/// a skin far from the origin loses no digits.
 typedef struct Lift {
     double level, volume, moment;
     double air, gas; ///< weights per volume, and of the gas in all [N/m^3], [N]

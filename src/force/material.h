@@ -1,8 +1,8 @@
 /// Materials of rubber skins: a table, one file and one row each.
 ///
 /// A material is its energy per rest volume W(I, D) of a thin sheet, I = tr C and D = det C, the
-/// squared area ratio (body/membrane.h). Normal to the sheet the stress is zero, or the thickness is
-/// prescribed (stvk-3d). With w1 = dW/dI and w2 = dW/dD
+/// squared area ratio (body/membrane.h). Normal to the sheet the stress is zero, or the thickness
+/// is prescribed (stvk-3d). With w1 = dW/dI and w2 = dW/dD
 ///
 ///     second Piola-Kirchhoff stress   S = 2 (w1 1 + w2 adj C)                        [Pa]
 ///     force on an edge                -h0 A0 F S [E1 E2]^-T                          [N]
@@ -15,13 +15,14 @@
 #include "base/fault.h"
 #include "force/force.h"
 
-/// The loops over elements in a step (membrane_lanes.inc, membrane_kernel.inc). Elements are stored in
-/// groups of eight (body/membrane.h).
+/// The loops over elements in a step (membrane_lanes.inc, membrane_kernel.inc). Elements are stored
+/// in groups of eight (body/membrane.h).
 typedef struct ElementLoops {
     /// f += force of the elements on their corners, groups from … to - 1. [N]
     void (*add)(const Membrane* membrane, int from, int to, const real4* x, real4* f);
 
-    /// Force.assemble of every element, factor times K; with `project`, its positive semidefinite part.
+    /// Force.assemble of every element, factor times K; with `project`, its positive semidefinite
+    /// part.
     void (*assemble)(const Membrane* membrane, const real4* x, real factor, bool project,
                      const int* block_at, Block* value);
 

@@ -1,6 +1,6 @@
-/// Neo-Hookean rubber, incompressible: W = mu/2 (I + 1/D - 3), mu = E/3, h = h0 A0/A. The simplest law
-/// with the pressure maximum of a toy balloon. Source: R. W. Ogden, Non-linear elastic deformations,
-/// 1984.
+/// Neo-Hookean rubber, incompressible: W = mu/2 (I + 1/D - 3), mu = E/3, h = h0 A0/A. The simplest
+/// law with the pressure maximum of a toy balloon. Source: R. W. Ogden, Non-linear elastic
+/// deformations, 1984.
 #include "force/membrane_kernel.inc"
 
 static inline LanesLaw law(const real k[2], lanes t, lanes I, lanes D) {

@@ -1,6 +1,6 @@
 /// St. Venant-Kirchhoff in plane stress: W = mu e:e + L/2 (tr e)^2 with Green's strain
-/// e = (C - 1)/2, mu = E / (2 (1 + nu)), L = E nu / (1 - nu^2). Valid for small strain: the pressure of
-/// a balloon has no maximum, and the law softens in compression.
+/// e = (C - 1)/2, mu = E / (2 (1 + nu)), L = E nu / (1 - nu^2). Valid for small strain: the
+/// pressure of a balloon has no maximum, and the law softens in compression.
 #include "force/membrane_kernel.inc"
 
 static inline LanesLaw law(const real k[2], lanes t, lanes I, lanes D) {

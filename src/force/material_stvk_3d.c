@@ -1,7 +1,7 @@
 /// St. Venant-Kirchhoff in space, the thin-shell paper's: W = mu (e:e + g^2) + L/2 (tr e + g)^2
-/// with Green's strain e = (C - 1)/2 and g = (t^2 - 1)/2 from the thickness t = h/h0, a parameter that
-/// the volume constraint sets between steps. mu = E / (2 (1 + nu)), L = E nu / ((1 + nu) (1 - 2 nu)),
-/// so nu must be below 1/2. Source: eq. 6 and 9 of the paper.
+/// with Green's strain e = (C - 1)/2 and g = (t^2 - 1)/2 from the thickness t = h/h0, a parameter
+/// that the volume constraint sets between steps. mu = E / (2 (1 + nu)), L = E nu / ((1 + nu) (1 -
+/// 2 nu)), so nu must be below 1/2. Source: eq. 6 and 9 of the paper.
 #include "force/membrane_kernel.inc"
 
 static inline LanesLaw law(const real k[2], lanes t, lanes I, lanes D) {

@@ -1,5 +1,6 @@
-/// The rubber skin: E = sum over elements of h0 A0 W(tr C, det C); see body/membrane.h and the table of
-/// materials. The forces on an undeformed skin are zero; net force and torque vanish in every state.
+/// The rubber skin: E = sum over elements of h0 A0 W(tr C, det C); see body/membrane.h and the
+/// table of materials. The forces on an undeformed skin are zero; net force and torque vanish in
+/// every state.
 #include "base/crew.h"
 #include "force/force.h"
 #include "force/material.h"

@@ -31,8 +31,8 @@ typedef struct SweepSums {
 SweepSums sweep(const Body* body, unsigned flags);
 
 /// Bounds for the stiffness of a pressure: row sums of |d2V/dx2| (Gershgorin), and squared norms of
-/// dA/dx and dV/dx, divided by the masses. Each entry of d2V/dx2 is at most the length of an edge or a
-/// diagonal, because the gradients are cross products of these.
+/// dA/dx and dV/dx, divided by the masses. Each entry of d2V/dx2 is at most the length of an edge
+/// or a diagonal, because the gradients are cross products of these.
 typedef struct SweepBounds {
     double second;  ///< largest over particles a of sum over corners k |d2V / da dx_k| / m_a [m/kg]
     double area2;   ///< sum of |dA/da|^2 / m_a, its bound [m^2/kg]

@@ -14,7 +14,7 @@ typedef struct Tangent {
     BlockMatrix matrix;
     int**
         block_at; ///< [force_count] of each force with stencils, [count][corners][corners]: index of its
-                  ///< blocks in the matrix, NONE for missing corners
+                  ///< its blocks in the matrix, NONE for missing corners
 } Tangent;
 
 /// Find the matrix's sparsity pattern from the stencils of all forces.

@@ -66,7 +66,8 @@ static void update_tangent(Body* body, bool project) {
     body->torsion.project = project;
 }
 
-/// The derivative of g = (n - (n.u) u) / a, the gradient of the bend at one end, along a displacement.
+/// The derivative of g = (n - (n.u) u) / a, the gradient of the bend at one end, along a
+/// displacement.
 static real4 slope_change(real4 n, real4 dn, real4 u, real4 du, real4 g, real a, real da) {
     return (dn - (dot(dn, u) + dot(n, du)) * u - dot(n, u) * du - da * g) / a;
 }

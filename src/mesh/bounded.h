@@ -2,8 +2,8 @@
 /// allocation of a library ends the child and not the program.
 ///
 /// The child sends the source through a pipe as plain arrays. It has BOUNDED_SECONDS of CPU time,
-/// twice that of wall time, and BOUNDED_BYTES beside the program's own memory. For a binary STL file
-/// of 100,000 triangles it takes 0.185 s of CPU time to load, and 0.175 s without the child.
+/// twice that of wall time, and BOUNDED_BYTES beside the program's own memory. For a binary STL
+/// file of 100,000 triangles it takes 0.185 s of CPU time to load, and 0.175 s without the child.
 #ifndef BALLOON_MESH_BOUNDED_H
 #define BALLOON_MESH_BOUNDED_H
 

@@ -20,8 +20,8 @@ static void lower_ends(const int (*face)[4], int face_count, int* low) {
 
 /// first[s]: the first of all sides that join the same two points as side s.
 ///
-/// All these sides have the same lower end. For each lower end in turn, seen[high] is the first side to
-/// the higher end `high`; an entry left by an earlier lower end is told by that end.
+/// All these sides have the same lower end. For each lower end in turn, seen[high] is the first
+/// side to the higher end `high`; an entry left by an earlier lower end is told by that end.
 static void first_sides(const int (*face)[4], int face_count, int point_count, int* first) {
     const int sides = 4 * face_count;
     int* low = new_array(int, sides);

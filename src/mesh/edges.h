@@ -1,7 +1,7 @@
 /// The edges of any set of faces, manifold or not: for the doctor and for mesh_make.
 ///
-/// A face's side k (a half-edge) runs from its corner k to the next one; its number is 4 * face + k.
-/// All sides between the same two points are one edge, in either direction:
+/// A face's side k (a half-edge) runs from its corner k to the next one; its number is 4 * face +
+/// k. All sides between the same two points are one edge, in either direction:
 ///
 ///         d --- c --- f
 ///         |  0  |  1  |      side 1 of face 0 (b to c) and side 3 of face 1 (c to b)

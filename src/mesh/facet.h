@@ -1,5 +1,5 @@
-/// Area vector and volume of one face from its corners, in double, for the doctor and for measures of
-/// a skin. measure.h has the equations.
+/// Area vector and volume of one face from its corners, in double, for the doctor and for measures
+/// of a skin. measure.h has the equations.
 #ifndef BALLOON_MESH_FACET_H
 #define BALLOON_MESH_FACET_H
 

@@ -1,9 +1,9 @@
 /// Mesh files that assimp reads: STL (text and binary), OFF, glTF and GLB.
 ///
-/// assimp 5.2.5 gives positions in single precision, which is what binary STL and glTF hold; numbers
-/// of the text formats are rounded to it. Corners that share a vertex by index in the file (OFF,
-/// glTF) share it here. STL has no indices, and glTF repeats vertices along texture seams: there
-/// every face or patch has points of its own, which the doctor sews together (mesh/weld.h).
+/// assimp 5.2.5 gives positions in single precision, which is what binary STL and glTF hold;
+/// numbers of the text formats are rounded to it. Corners that share a vertex by index in the file
+/// (OFF, glTF) share it here. STL has no indices, and glTF repeats vertices along texture seams:
+/// there every face or patch has points of its own, which the doctor sews together (mesh/weld.h).
 /// Transforms of the file's scene graph are applied, in double. No post-processing of assimp is
 /// used: its JoinIdenticalVertices merges distinct vertices that are closer than about 1e-5.
 ///
@@ -21,8 +21,9 @@
 #include "base/fault.h"
 #include "mesh/source.h"
 
-/// Read the file, in the format that its extension names. Refused, beside what assimp refuses: faces
-/// of other than 3 or 4 corners, positions that are not finite. Nothing is left to free on failure.
+/// Read the file, in the format that its extension names. Refused, beside what assimp refuses:
+/// faces of other than 3 or 4 corners, positions that are not finite. Nothing is left to free on
+/// failure.
 bool import_read(MeshSource* source, const char* path, Fault* fault);
 
 #endif

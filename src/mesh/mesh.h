@@ -1,5 +1,5 @@
-/// The skin's topology and rest shape: points joined by quads, triangles or both. It is constant after
-/// mesh_make.
+/// The skin's topology and rest shape: points joined by quads, triangles or both. It is constant
+/// after mesh_make.
 ///
 /// Points are numbered for locality (mesh/reorder.h). Everything that leaves the program (particle
 /// numbers in scenes and logs, OBJ, hash) uses the loaded order, the order of first use by a face:

@@ -20,7 +20,8 @@ static void load_corners(const int face[4], int part, const real4* x, real level
     }
 }
 
-/// N_y, and its gradient at corner c: (z of the last corner - z of the next, 0, x of next - of last).
+/// N_y, and its gradient at corner c: (z of the last corner - z of the next, 0, x of next - of
+/// last).
 static real normal_y(const real4 at[3]) {
     return (at[1][2] - at[0][2]) * (at[2][0] - at[0][0]) -
            (at[1][0] - at[0][0]) * (at[2][2] - at[0][2]);

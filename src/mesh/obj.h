@@ -10,10 +10,11 @@
 ///     `v` and `f` lines read here, rewritten for assimp to read  180 ms, 300 lines, exact
 ///     assimp alone, before any weld                              100 ms for the file itself
 ///
-/// Understood: any line ends, tabs, a backslash that continues a `v` or `f` line, indices that count
-/// backward, vertex colors and weights (left out). Refused, with file and line: what is no number or
-/// not finite, corners that name no vertex, faces of other than 3 or 4 corners, points and lines.
-/// Lines of all other kinds (texture coordinates, normals, groups, materials) are skipped.
+/// Understood: any line ends, tabs, a backslash that continues a `v` or `f` line, indices that
+/// count backward, vertex colors and weights (left out). Refused, with file and line: what is no
+/// number or not finite, corners that name no vertex, faces of other than 3 or 4 corners, points
+/// and lines. Lines of all other kinds (texture coordinates, normals, groups, materials) are
+/// skipped.
 #ifndef BALLOON_MESH_OBJ_H
 #define BALLOON_MESH_OBJ_H
 

@@ -11,9 +11,9 @@ typedef struct Orientation {
     int clash[2];   ///< two faces that cannot be oriented alike; NONE if all can
 } Orientation;
 
-/// Flood each component over its edges of two faces. The majority of its faces keeps its orientation;
-/// then a closed component of negative volume is flipped. Faces are flipped in place and keep their
-/// first corner; `edges` keeps the sides that the faces had before.
+/// Flood each component over its edges of two faces. The majority of its faces keeps its
+/// orientation; then a closed component of negative volume is flipped. Faces are flipped in place
+/// and keep their first corner; `edges` keeps the sides that the faces had before.
 Orientation orient_faces(MeshSource* source, const Edges* edges);
 
 #endif

@@ -20,8 +20,8 @@ static void sort_by_valence(int count, const int* neighbor_from, int* sorted) {
     free(from);
 }
 
-/// Append the neighbors of a point that have no number yet, in order around it, beginning with the one
-/// that it was reached from.
+/// Append the neighbors of a point that have no number yet, in order around it, beginning with the
+/// one that it was reached from.
 static int reach_neighbors(int point, const int* neighbor, int valence, int* reached_from,
                            int* loaded, int end) {
     int first = 0;

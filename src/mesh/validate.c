@@ -134,8 +134,8 @@ void validate_edges(const MeshSource* source, const Edges* edges, MeshReport* re
     }
 }
 
-/// Sets of the faces around each point: the faces of an edge of two faces are joined at both its ends.
-/// A face's corner c at the point is the item 4 * face + c.
+/// Sets of the faces around each point: the faces of an edge of two faces are joined at both its
+/// ends. A face's corner c at the point is the item 4 * face + c.
 static int* join_corners(const MeshSource* source, const Edges* edges) {
     const int(*face)[4] = (const int(*)[4])source->face;
     int* fan = disjoint_make(4 * source->face_count);

@@ -1,5 +1,5 @@
-/// Validates a mesh: flaws that cannot be mended. Each function counts one kind of flaw in the report,
-/// and writes the first into report->unusable, unless another flaw is there already.
+/// Validates a mesh: flaws that cannot be mended. Each function counts one kind of flaw in the
+/// report, and writes the first into report->unusable, unless another flaw is there already.
 #ifndef BALLOON_MESH_VALIDATE_H
 #define BALLOON_MESH_VALIDATE_H
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Advice: what is measured is kept, what is asked for is given or refused, what comes out is a scene.
+# Advice: points are cached, a request is met or refused, and the result is a scene.
 set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh
@@ -35,12 +35,12 @@ bad "cannot be written" "$balloon" advise exact-cube --error 1% --out /proc/noth
 ok "a program is told what to set" test "$("$balloon" advise exact-cube --error 1% --report | sed -n 's/^set \(method\|step\)=.*/\1/p' | paste -sd' ')" = "method step"
 ok "and takes what comes nearest" grep -q "^says .* % off" <("$balloon" advise exact-cube --error 1e-12 --report)
 
-# --- a folder that cannot be written keeps nothing, and the answer is given
+# --- without a writable cache nothing is stored, and advice is given
 env XDG_CACHE_HOME=/proc/nothing "$balloon" advise exact-cube --error 1% >"$scratch/unkept.yaml" 2>"$scratch/said"
 ok "the answer is given" grep -q "^title: The exact cube$" "$scratch/unkept.yaml"
 ok "and the reason is said" grep -q "not kept, and measured again next time" "$scratch/said"
 
-# --- what runs for an advice ends with it, by any signal
+# --- processes of an advice end with it, by any signal
 for signal in TERM KILL; do
     "$balloon" advise party --budget 4ms --fresh >/dev/null 2>&1 &
     parent=$!

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Speed against accuracy: what the chart's own numbers must show.
+# Speed against accuracy: properties of the chart's numbers.
 set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh

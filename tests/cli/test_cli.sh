@@ -88,7 +88,7 @@ ok "list names every scene" test "$("$balloon" list | grep -c -E "$(ls -1 assets
 ok "help walks the keys" grep -q "inflate while held" <("$balloon" --help)
 ok "version says the precision" grep -q double <("$double" --version)
 
-# what benches keep to compare with goes here
+# folder for the figures that benches store
 export XDG_CACHE_HOME=$scratch/cache
 ok "a bench counts what passes through" grep -qE "^ +384 +1[0-9] +0 +0 .* of +1[0-9]$" <("$balloon" bench contacts --quick)
 ok "a bench times what contacts cost" grep -qE "^16 touching +\| +16 " <("$balloon" bench contact-cost --quick --out "$scratch/bench")
@@ -169,7 +169,7 @@ usage "no such option" "$balloon" run party --color red
 usage "needs a value" "$balloon" run party --seconds
 usage "only one" "$balloon" run party tether
 bad "went bad in step" "$balloon" run fails/long-step
-# --- numbers that the state does not hold, and counts that no number does
+# --- numbers out of the state's range, and counts out of an integer's
 bad "^balloon: --set .*young is 1e39, which is out of range in a state of float" \
     "$balloon" run pear --set balloons.0.skin.membrane.young=1e39
 bad "per_particle is 1e-50, which is out of range" "$balloon" run party --set balloons.0.mass.per_particle=1e-50
@@ -197,7 +197,7 @@ bad "^balloon: --set method=xpbd: " "$balloon" run pear --method xpbd
 sed 's/step: .*/step: 5/' assets/scenes/tether.yaml >"$scratch/step.yaml"
 bad "step.yaml:[0-9]+: step must be" "$balloon" run "$scratch/step.yaml" --set gravity=1
 
-# --- files of others stay, but with --overwrite
+# --- other files are replaced only with --overwrite
 kept() { test "$(cat "$1")" = kept; }
 for file in kept.csv kept.obj kept.log kept.png kept.mp4; do echo kept >"$scratch/$file"; done
 bad "kept.csv is there and not made by balloon" "$balloon" run cube --csv "$scratch/kept.csv"
@@ -225,12 +225,12 @@ rm -r "$scratch/results"
 bad "log is read by this command" "$balloon" run party --input "$scratch/log" --record "$scratch/log"
 bad "t.obj is read by this command" "$balloon" run "$scratch/t.obj" --mesh "$scratch/t.obj"
 
-# --- a run of a scene that names no output says that it ended, unless it is asked for something
+# --- a run of a scene without outputs says that it ended, unless an output was requested
 ok "a run says that it ended" grep -qE "^cube: 0.01 s simulated; --report, " <("$balloon" run cube --seconds 0.01)
 ok "so does one that ends before its outputs" grep -q "^assets/scenes/tether.yaml: 0.01 s simulated; " <("$balloon" run tether --seconds 0.01)
 ok "and nothing else beside a result" test "$("$balloon" run cube --seconds 0.01 --hash | wc -l)" = 1
 
-# what the guard does is said to people once, and to programs as a number
+# the guard's substeps: one message for people, a number for programs
 "$balloon" run tether --seconds 0.1 --step 0.02 --report >"$scratch/report" 2>"$scratch/said"
 ok "the guard says into how many parts" grep -qE "step 0.02 s is above the largest stable one, [0-9.]+ s: each is made in 8 parts$" "$scratch/said"
 ok "and reports them" grep -qE "^report ended=1 steps=5 .* substeps=8 hash=[0-9a-f]{16}" "$scratch/report"

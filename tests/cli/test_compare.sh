@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Side by side: a ghost gets the same input, changes nothing of the scene, and is told in numbers.
+# Side by side: a ghost gets the same input, does not affect the scene, and its difference is printed.
 set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh
@@ -18,7 +18,7 @@ ok "the same method with the same input goes the same way" near "$(last "$scratc
 ok "another does not quite" less 0 "$(last "$scratch/newton.csv" ghost.distance)"
 ok "and costs" less 0 "$(last "$scratch/newton.csv" ghost.cost)"
 
-# --- semi-implicit and backward Euler are both of order 1, so that what is between them is too
+# --- semi-implicit and backward Euler are both of order 1, and so is their difference
 for step in 1e-4 5e-5; do
     "$double" run exact-cube --seconds 0.005 --step $step --compare newton --csv "$scratch/$step.csv" --fps 200
 done

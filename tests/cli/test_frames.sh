@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Captured frames: the balloon is there, grows when blown up, shrinks when let out, and looks like
-# the pictures that a person has looked at (tests/golden, within a tolerance for other machines).
+# Captured frames: the balloon is visible, grows when inflated, shrinks when deflated, and looks like
+# pictures that were checked by eye (tests/golden, within a tolerance for other machines).
 set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh
 
-# how many pixels are of a saturated color, as balloons are and floor and sky are not
+# number of pixels of saturated color: balloons, not floor or sky
 colored() {
     convert "$1" -colorspace HSL -channel G -separate -threshold 40% -format '%[fx:mean*w*h]' info:
 }
@@ -42,7 +42,7 @@ for film in mp4:11 webm:11 gif:14; do # a GIF plays at 25 a second: 11 frames of
         -show_entries stream=nb_read_frames -of csv=p=0 "$scratch/film.$kind" | tr -d ',')" = "${film#*:}"
 done
 
-# --- every display mode draws something of its own, on springs or on rubber
+# --- every display mode gives a picture of its own, on springs or on rubber
 for mode in $("$balloon" list | sed -n '/^display modes/,$p' | awk 'NR > 1 { print $1 }'); do
     scene=squirrel-inflates render "$scratch/mode-$mode.png" 1 --mode "$mode"
     scene=peak render "$scratch/rubber-$mode.png" 1 --mode "$mode" \
@@ -55,7 +55,7 @@ done
 ok "modes differ" test "$(md5sum "$scratch"/mode-*.png | awk '{ print $1 }' | sort -u | wc -l)" = \
     "$(ls "$scratch"/mode-*.png | wc -l)"
 
-# --- golden pictures; a slow build leaves them out: what they draw, the modes above draw
+# --- golden pictures; not in a slow build, because the modes above draw the same
 [ -n "${SHORT:-}" ] ||
 for golden in tests/golden/*.png; do
     name=$(basename "$golden" .png)
@@ -80,7 +80,7 @@ ok "and leaves the rest alone" test "$(left "$scratch/lab-with.png")" = "$(left 
 ok "the same input draws the same page" cmp "$scratch/lab-with.png" "$scratch/lab-again.png"
 ok "and the state is the same without it" cmp "$scratch/lab-with" "$scratch/lab-without"
 
-# --- the stages of a frame are said
+# --- the times of a frame's stages are printed
 "$balloon" render "$scene" --out "$scratch/timed" --seconds 0.1 --fps 20 --size 320x180 --quiet --time >"$scratch/stages"
 ok "all stages of 3 frames are said" grep -qE \
     "^3 frames; of a frame \[ms\]: steps [0-9.]+ picture [0-9.]+ upload .* shadow .* scene .* resolve .* overlay .* present .*; in all" \

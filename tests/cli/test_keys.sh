@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The scene reference is what the program prints, and its examples are scenes.
+# The scene reference equals the program's output, and its examples are valid scenes.
 set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh
@@ -22,7 +22,7 @@ for scene in "$scratch"/scene*.yaml; do
     ok "the guide's $(basename "$scene") loads and runs" "$balloon" run "$scene" --seconds 0.1 --quiet
 done
 
-# a value that no key takes, of each key: the sentence names the option, and no line of the scene
+# a wrong value for each key: the sentence names the option, and no line of the scene
 elsewhere=0
 for key in $(sed '/^### Outputs/,$d' "$scratch/printed" | sed -nE 's/^\| `([^`]+)`.*/\1/p' | sed 's/\*/0/g'); do
     said=$("$balloon" run tether --seconds 1e-9 --quiet --set gravity=9 --set "$key=[[x]]" 2>&1 >/dev/null)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Out of memory: with allocation number k failing the program ends with a sentence, or it does without.
-# What a library asked for and died of is listed, and is the library's; what the program asked for is a
+# Out of memory: if allocation number k fails, the program ends with a sentence or goes on without it.
+# A crash after a failed allocation by a library is listed only; one after the program's own allocation is a
 # failure. Every 11th k; ALL=1 tries each.
 set -u
 cd "$(dirname "$0")/../.."
@@ -22,7 +22,7 @@ printf '# balloon input 1 scene\n1 key inflate down\n' >"$scratch/log"
 command=("$balloon" run "$scratch/scene.yaml" --seconds 0.003 --set gravity=1 --set 'camera={eye: [1, 2, 3], look: [0, 0, 0]}'
     --input "$scratch/log" --record "$scratch/made.log" --csv "$scratch/made.csv" --hash)
 
-# try K: what becomes of it, and who asked
+# try K: how the run ends, and which code had requested the allocation
 try() {
     { FAIL_AT=$1 LD_PRELOAD=$scratch/fail.so "${command[@]}" \
         9>"$scratch/asked" >"$scratch/out" 2>"$scratch/said"; } 2>/dev/null

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# What scenes need: what is planted is found, and what scenes model no more than they need stays so.
+# What scenes need: planted unneeded parts are found, and shipped scenes have none without a reason.
 set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh
 
-# unneeded FILE: the parts that needs.csv has as unneeded without a reason
+# unneeded FILE: the parts in needs.csv that are unneeded without a reason
 unneeded() { awk -F, 'NR > 1 && $6 == 0 && $7 == "\"\"" { print $2 }' "$1" | sort | paste -sd' '; }
 
-# --- four parts are planted: torsion that holds nothing, double, a fine mesh, a strain limit that no
-# spring is stretched enough for
+# --- four parts are planted: torsion without an effect, double, a fine mesh, a strain limit that no
+# spring reaches
 cat >"$scratch/planted.yaml" <<'YAML'
 units: paper
 step: 0.005
@@ -42,12 +42,12 @@ ok "and is said" grep -q "^mesh .* unneeded, but it looks round$" "$scratch/said
 # --- the shipped scenes
 ok "every scene says what it is about" test "$("$balloon" needs | grep -c ' -$')" = 0
 ok "failures are about none" test "$("$balloon" needs | grep -c '^fails/.* none: ')" = "$(ls assets/scenes/fails/*.yaml | wc -l)"
-# what all of them need is measured by `make bench`; here those that cost little, of every kind of skin
+# `make bench` measures all of them; here the cheap ones, of every kind of skin
 for scene in tether sphere-gas sewn-discs exact-cube; do
     ok "$scene models no more than it needs" "$balloon" needs $scene --quick >"$scratch/said-$scene"
 done
 
-# --- the sample in the lab's README is what the program prints, but for the CPU time
+# --- the sample in the lab's README equals the program's output, except for the CPU time
 untimed() { sed -nE '/^ *tether$/,/^ *$/{ s/^    //; s/ +[0-9-]+ %  / /; /./p }' "$1"; }
 ok "the README has the sample" grep -q "^    tether$" src/lab/README.md
 ok "the README's sample is the program's" diff <(untimed src/lab/README.md) <(untimed "$scratch/said-tether")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every document says what the program does: commands, options, keys, targets, paths, links and scenes in
-# the README files are tried or looked up.
+# Every document agrees with the program: commands, options, keys, targets, paths, links and scenes in
+# the README files are run or looked up.
 set -u
 cd "$(dirname "$0")/../.."
 . tests/say.sh

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# balloon stability, quick: its files, and that its cells lie on the right sides of theory.
+# balloon stability, quick: its files, and that its cells agree with theory.
 set -uo pipefail
 cd "$(dirname "$0")/../.."
 . tests/say.sh

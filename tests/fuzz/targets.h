@@ -1,6 +1,6 @@
-/// What a file or the command line may bring, as functions of any bytes: each must return, whatever
-/// they are. libFuzzer looks for bytes with which one does not (make fuzz); unit/test_fuzz.c replays
-/// the kept ones, a folder for each target in fuzz/corpus.
+/// Readers of files and of the command line, as functions of arbitrary bytes: each must return on
+/// any input. libFuzzer searches for bytes with which one does not (make fuzz); unit/test_fuzz.c
+/// replays the stored inputs, a folder for each target in fuzz/corpus.
 #ifndef BALLOON_FUZZ_TARGETS_H
 #define BALLOON_FUZZ_TARGETS_H
 

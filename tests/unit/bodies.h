@@ -1,4 +1,4 @@
-/// Bodies for tests: of a shape or a model, and of a few particles by hand.
+/// Bodies for tests: made from a shape or a model, or of a few particles.
 #ifndef BALLOON_TESTS_BODIES_H
 #define BALLOON_TESTS_BODIES_H
 
@@ -25,7 +25,7 @@ static inline void mesh_of(const char* name, Mesh* mesh) {
     }
 }
 
-/// At rest at the mesh's own points, each particle of the paper's mass, no forces.
+/// A body at rest at the mesh's points; each particle has the paper's mass; no forces.
 static inline void body_of(const Mesh* mesh, Body* body) {
     body_make(body, mesh, &(Placement){.scale = 1}, paper_mass);
 }
@@ -73,9 +73,9 @@ static inline void shake(Body* body, double by) {
             body->x[i][k] += (real)(by * (2 * random_next(&random) - 1));
 }
 
-/// Particles on a line along x at the given places, joined in a chain of equal Hooke springs whose
-/// rest lengths are the distances; the mesh is none, so only forces that need none may act.
-static inline void chain_of(Body* body, const double* place, int count, double mass,
+/// Particles on a line along x at the given positions, joined to a chain of equal Hooke springs
+/// whose rest lengths are the distances. There is no mesh, so only forces without one may act.
+static inline void chain_of(Body* body, const double* position, int count, double mass,
                             double stiffness) {
     *body = (Body){.count = count,
                    .x = new_array(real4, count),
@@ -93,7 +93,7 @@ static inline void chain_of(Body* body, const double* place, int count, double m
                          .active = new_array(real, count - 1),
                          .bound = 4 * stiffness / mass};
     for (int i = 0; i < count; i++) {
-        body->x[i] = (real4){(real)place[i], 0, 0, 0};
+        body->x[i] = (real4){(real)position[i], 0, 0, 0};
         body->mass[i] = (real)mass;
         body->inverse_mass[i] = (real)(1 / mass);
     }
@@ -101,7 +101,7 @@ static inline void chain_of(Body* body, const double* place, int count, double m
         springs->end[s][0] = s;
         springs->end[s][1] = s + 1;
         springs->stiffness[s] = springs->active[s] = (real)stiffness;
-        springs->rest[s] = (real)(place[s + 1] - place[s]);
+        springs->rest[s] = (real)(position[s + 1] - position[s]);
     }
     body_slice(body);
 }

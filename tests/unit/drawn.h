@@ -9,7 +9,7 @@
 enum { WIDTH = 160, HEIGHT = 120, RINGS = 16, SPOKES = 24 };
 enum { POINTS = (RINGS + 1) * SPOKES, TRIANGLES = 2 * RINGS * SPOKES };
 
-/// A ball of rubber over a floor, and all that a picture of it points to.
+/// A ball of rubber over a floor, and the arrays of its picture.
 typedef struct Drawn {
     float position[POINTS][3], normal[POINTS][3], tint[POINTS][3], stretch[POINTS];
     int triangle[TRIANGLES][3];

@@ -8,7 +8,7 @@
 #include "force/strings.h"
 #include "mesh/measure.h"
 
-/// A closed skin, shaken, with everything that the table knows acting on it.
+/// A shaken closed skin with every force of the table.
 static inline void everything(const Mesh* mesh, Body* body, SpringLaw spring_law, InflationLaw law,
                               const Material* material) {
     body_of(mesh, body);

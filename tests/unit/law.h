@@ -1,4 +1,4 @@
-/// What every unit test needs: cmocka, and comparisons that say got, want and tolerance.
+/// Common to all unit tests: cmocka, and comparisons that print got, want and tolerance.
 #ifndef BALLOON_TESTS_LAW_H
 #define BALLOON_TESTS_LAW_H
 
@@ -34,7 +34,7 @@ static inline void near_at(double got, double want, double tolerance, const char
 /// A tolerance for each precision: float's with the reason beside it where it is used.
 #define TOLERANCE(of_float, of_double) (sizeof(real) == sizeof(double) ? (of_double) : (of_float))
 
-/// "got" is truly less than "than".
+/// got < than, strictly.
 #define assert_less(got, than)                                                                     \
     do {                                                                                           \
         const double law_got = (got), law_than = (than);                                           \

@@ -19,7 +19,7 @@ static inline MeshReport load(const char* name, Mesh* mesh) {
     return report;
 }
 
-/// A file in a folder of its own under /tmp; unlink_text takes both away.
+/// A file in a new folder under /tmp; unlink_text removes both.
 typedef struct TextFile {
     char folder[32];
     char path[64];
@@ -42,7 +42,7 @@ static inline void remove_file(const TextFile* file) {
     rmdir(file->folder);
 }
 
-/// Load a mesh from the text of an OBJ file. The fault's place is the path.
+/// Load a mesh from the text of an OBJ file. The fault's location is the path.
 static inline bool load_text(const char* text, Mesh* mesh, MeshReport* report, Fault* fault) {
     const TextFile file = write_bytes("mesh.obj", text, strlen(text));
     const bool good = mesh_load(file.path, mesh, report, fault);
@@ -59,17 +59,17 @@ static inline MeshReport load_good(const char* text, Mesh* mesh) {
     return report;
 }
 
-/// The text must be refused with this place (behind the folder) and words of this sentence.
-static inline void refuse_text(const char* text, const char* place, const char* words) {
+/// The text must be refused with this location (after the folder) and these words in the sentence.
+static inline void refuse_text(const char* text, const char* location, const char* words) {
     Mesh mesh;
     MeshReport report;
     Fault fault = {0};
     if (load_text(text, &mesh, &report, &fault))
         fail_msg("this was loaded, want it refused: %s", text);
     const char* slash = strrchr(fault.location, '/');
-    if (!slash || strcmp(slash + 1, place) != 0 || !strstr(fault.text, words))
-        fail_msg("got \"%s: %s\", want place %s and \"%s\"", fault.location, fault.text, place,
-                 words);
+    if (!slash || strcmp(slash + 1, location) != 0 || !strstr(fault.text, words))
+        fail_msg("got \"%s: %s\", want location %s and \"%s\"", fault.location, fault.text,
+                 location, words);
     mesh_free(&mesh);
 }
 

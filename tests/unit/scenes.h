@@ -1,4 +1,4 @@
-/// Scenes written to a folder, loaded, and refused: what the tests of the scene format share.
+/// Common to the tests of the scene format: write a scene to a folder, load it, expect a fault.
 #ifndef BALLOON_TESTS_SCENES_H
 #define BALLOON_TESTS_SCENES_H
 
@@ -21,14 +21,14 @@
 #include "scene/key.h"
 #include "scene/scene.h"
 
-enum { SET_MOST = 4, MUTATIONS = 1000 };
+enum { MAX_SETS = 4, MUTATIONS = 1000 };
 
 static const char smallest[] = "step: 0.01\n"
                                "balloons:\n"
                                "  - model: cube\n"
                                "    mass: {per_particle: 0.5}\n";
 
-/// The smallest scene up to its balloon, to which one thing wrong is added.
+/// The smallest scene up to its balloon, for tests that add one mistake.
 #define HEAD "step: 0.01\nballoons:\n  - model: cube\n    mass: {per_particle: 0.5}\n"
 
 /// A balloon of rubber up to its material.
@@ -119,7 +119,7 @@ static inline void write_bytes(const char* path, const void* bytes, size_t size)
 
 // Load a text with overrides, which end with NULL.
 static inline bool load(const char* text, const char* const* set, WorldDef* def, Fault* fault) {
-    SceneSet sets[SET_MOST];
+    SceneSet sets[MAX_SETS];
     int count = 0;
     while (set && set[count]) {
         sets[count].text = set[count];

@@ -1,4 +1,4 @@
-/// The standard balloon of the tests of rubber, as a scene file of the test's own.
+/// The standard balloon of the tests of rubber, as a scene file that the test writes.
 #ifndef BALLOON_TESTS_STANDARD_H
 #define BALLOON_TESTS_STANDARD_H
 

@@ -1,4 +1,4 @@
-/// Pictures of worlds for tests: a scene, its camera, and what is drawn of it.
+/// Pictures of worlds for tests: a scene, its camera and its picture.
 #ifndef BALLOON_TESTS_STUDIO_H
 #define BALLOON_TESTS_STUDIO_H
 

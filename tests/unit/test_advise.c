@@ -1,4 +1,4 @@
-/// The cache of advice: what was kept is found again, and whatever else stands there is ignored.
+/// The cache of advice: cached points are read back; any other file in its place is ignored.
 #include <dirent.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -19,7 +19,7 @@ static Advice sample(void) {
     return advice;
 }
 
-/// The one file of the cache.
+/// Path of the cache's only file.
 static void find_file(char path[512]) {
     char cache[128];
     snprintf(cache, sizeof cache, "%s/balloon", folder);
@@ -47,29 +47,30 @@ static bool is_recalled(void) {
 
 static void what_is_kept_is_recalled(void** state) {
     (void)state;
-    Advice kept = sample(), found;
-    advise_cache_write(scene, &kept);
+    Advice cached = sample(), found;
+    advise_cache_write(scene, &cached);
     assert_true(advise_cache_read(scene, 1, &found));
     assert_int_equal(found.count, 2);
-    assert_true(found.floor == kept.floor && found.reference[0] == kept.reference[0]);
+    assert_true(found.floor == cached.floor && found.reference[0] == cached.reference[0]);
     assert_string_equal(found.point[1].method, "newton");
     assert_true(isinf(found.point[1].error));
-    assert_true(found.point[0].step == kept.point[0].step && found.point[0].ms == kept.point[0].ms);
+    assert_true(found.point[0].step == cached.point[0].step &&
+                found.point[0].ms == cached.point[0].ms);
     advise_free(&found);
     assert_true(
-        advise_cache_read("step: \"0.0021\"\nballoons: \"3\"\n", 1, &found)); // a fifth is alike
+        advise_cache_read("step: \"0.0021\"\nballoons: \"3\"\n", 1, &found)); // within a fifth
     advise_free(&found);
     assert_false(advise_cache_read("step: \"0.003\"\nballoons: \"3\"\n", 1, &found));
-    assert_false(advise_cache_read(scene, 2, &found)); // about more than was measured
-    advise_free(&kept);
+    assert_false(advise_cache_read(scene, 2, &found)); // more outputs than were measured
+    advise_free(&cached);
 }
 
-/// Each byte changed, and the file cut off behind each.
+/// Every single byte changed, and the file truncated after every byte.
 static void a_damaged_file_is_ignored(void** state) {
     (void)state;
-    Advice kept = sample();
+    Advice cached = sample();
     char path[512], text[4096];
-    advise_cache_write(scene, &kept);
+    advise_cache_write(scene, &cached);
     find_file(path);
     FILE* in = fopen(path, "r");
     const size_t size = fread(text, 1, sizeof text, in);
@@ -84,16 +85,16 @@ static void a_damaged_file_is_ignored(void** state) {
     }
     put_file(path, text, size);
     assert_true(is_recalled());
-    advise_free(&kept);
+    advise_free(&cached);
 }
 
-/// What no measurement says, in a file that is whole.
+/// Values that no measurement gives, in a file with a correct hash.
 static void an_impossible_file_is_ignored(void** state) {
     (void)state;
     enum { CASES = 12 };
     for (int k = 0; k < CASES; k++) {
-        Advice kept = sample();
-        AdvicePoint* p = &kept.point[0];
+        Advice cached = sample();
+        AdvicePoint* p = &cached.point[0];
         const double nan_value = (double)NAN;
         // clang-format off
         switch (k) {
@@ -105,41 +106,41 @@ static void an_impossible_file_is_ignored(void** state) {
         case 5: p->refinement = 1000000; break;
         case 6: strcpy(p->method, "magic"); break;
         case 7: strcpy(p->precision, "half"); break;
-        case 8: kept.floor = nan_value; break;
-        case 9: kept.reference[0] = nan_value; break;
-        case 10: kept.count = 0; break;
-        case 11: kept.floor = INFINITY; break;
+        case 8: cached.floor = nan_value; break;
+        case 9: cached.reference[0] = nan_value; break;
+        case 10: cached.count = 0; break;
+        case 11: cached.floor = INFINITY; break;
         }
         // clang-format on
-        advise_cache_write(scene, &kept);
+        advise_cache_write(scene, &cached);
         if (is_recalled())
             fail_msg("case %d is believed", k);
-        advise_free(&kept);
+        advise_free(&cached);
     }
 }
 
-/// A pipe does not hold the program up, a folder is no file, and both are kept out of the way.
+/// A pipe or a folder at the cache's path does not block the program and is not read.
 static void what_is_no_file_is_ignored(void** state) {
     (void)state;
-    Advice kept = sample();
+    Advice cached = sample();
     char path[512];
-    advise_cache_write(scene, &kept);
+    advise_cache_write(scene, &cached);
     find_file(path);
     unlink(path);
     assert_int_equal(mkfifo(path, 0600), 0);
     assert_false(is_recalled());
-    advise_cache_write(scene, &kept); // takes the pipe's place
+    advise_cache_write(scene, &cached); // replaces the pipe
     assert_true(is_recalled());
     unlink(path);
     assert_int_equal(mkdir(path, 0700), 0);
     assert_false(is_recalled());
-    advise_cache_write(scene, &kept); // cannot: it is said, and that is all
+    advise_cache_write(scene, &cached); // fails with a message only
     rmdir(path);
     setenv("XDG_CACHE_HOME", "/proc/nothing", 1);
     assert_false(is_recalled());
-    advise_cache_write(scene, &kept);
+    advise_cache_write(scene, &cached);
     setenv("XDG_CACHE_HOME", folder, 1);
-    advise_free(&kept);
+    advise_free(&cached);
 }
 
 int main(void) {

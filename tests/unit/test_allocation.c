@@ -1,4 +1,4 @@
-/// Memory: a step allocates nothing, by any method.
+/// Memory: no method allocates in a step.
 #include "worlds.h"
 
 #include <suitesparse/SuiteSparse_config.h>

@@ -1,4 +1,4 @@
-/// Balls, floor and walls meet as they should, without a skin.
+/// Balls, floor and walls collide, without a skin.
 #include "bodies.h"
 #include "contact/contacts.h"
 
@@ -22,7 +22,7 @@ static void open_with(Contacts* contacts, double g, const Plane* plane, int plan
         contacts_add(contacts, &sphere[i]);
 }
 
-/// A step of a world, in as many parts as contacts ask for.
+/// A step of a world, in as many drifts as contacts allow.
 static void step_balls(Contacts* contacts, double h) {
     while (h > 0) {
         const double safe = contacts_safe_step(contacts, h);
@@ -32,7 +32,7 @@ static void step_balls(Contacts* contacts, double h) {
     }
 }
 
-/// Velocities alone, without gravity and planes, of two balls.
+/// Solve the velocities of two balls, without gravity and planes.
 static void solve_pair(Sphere s[2], double h) {
     Contacts contacts;
     open_with(&contacts, 0, NULL, 0, s, 2);
@@ -45,7 +45,7 @@ static double4 momentum(const Sphere* s) {
     return (double)s->mass * to_double4(s->v);
 }
 
-/// About the origin, with the spin's.
+/// Angular momentum about the origin, spin included.
 static double4 angular_momentum(const Sphere* s) {
     return dcross(to_double4(s->x), momentum(s)) + (double)sphere_inertia(s) * to_double4(s->spin);
 }
@@ -77,7 +77,7 @@ static void paths_that_do_not_cross_are_no_hit(void** state) {
     solve_pair(s, 1.0 / 60);
     assert_true(s[0].v[0] == 200 && s[1].v[0] == 0);
 
-    // nor is one that comes after the step
+    // nor is a hit after the end of the step
     s[1].x[1] = 0;
     solve_pair(s, 1.7 / 200);
     assert_true(s[0].v[0] == 200 && s[1].v[0] == 0);
@@ -102,7 +102,7 @@ static void touching_pair(Sphere s[2], Random* random) {
     s[1].x += to_real4((double)(s[0].radius + s[1].radius) * n / dlength(n));
 }
 
-/// To rounding, which a solve makes about ten times on the way.
+/// Momenta are kept to rounding, about ten roundings a solve.
 static void hit_with_friction_keeps_momenta_and_gains_no_energy(void** state) {
     (void)state;
     Random random = {12};
@@ -192,7 +192,7 @@ static void sliding_ball_ends_rolling(void** state) {
     s.friction = (real)0.3;
     s.v[0] = 7;
     s = rolled(s, 0.002, 2);
-    // the floor of the real's rounding over the 340 steps of sliding
+    // accumulated rounding of 340 sliding steps
     assert_near(s.v[0], 5, TOLERANCE(1e-4, 1e-9));
     assert_near(s.spin[2], -10, TOLERANCE(2e-4, 1e-9));
 }
@@ -251,7 +251,7 @@ static void same_balls_give_the_same_bits_after_any_history(void** state) {
     open_with(&used, gravity, &floor_plane, 1, NULL, 0);
     Sphere heap[MOST];
     for (int round = 0; round < 20; round++) {
-        // history: more and fewer balls, elsewhere, for a while
+        // steps with more, fewer and other balls, so that the world has a history
         Random random = {(uint64_t)round};
         for (int k = 0; k < 2; k++) {
             const int count = 1 + (int)(random_next(&random) * MOST);
@@ -289,7 +289,7 @@ static void each_new_ball_is_seen(void** state) {
     contacts_close(&contacts);
 }
 
-/// The pairs that Bullet's tree finds are those that touch on their paths, and some more.
+/// Bullet's tree finds all pairs that touch on their paths, and some more.
 static void no_pair_of_balls_is_missed(void** state) {
     (void)state;
     Random random = {21};
@@ -305,7 +305,7 @@ static void no_pair_of_balls_is_missed(void** state) {
         for (int i = 0; i < count; i++)
             for (int k = i + 1; k < count; k++) {
                 double nearest = INFINITY;
-                for (int n = 0; n <= 20; n++) // a coarse path
+                for (int n = 0; n <= 20; n++) // samples of the path
                     nearest = fmin(nearest,
                                    dlength(to_double4(s[i].x) - to_double4(s[k].x) +
                                            h * n / 20 * (to_double4(s[i].v) - to_double4(s[k].v))));
@@ -319,8 +319,8 @@ static void no_pair_of_balls_is_missed(void** state) {
     bullet_balls_close(balls);
 }
 
-/// Two balls roll to rest far apart from a third that is shot at the floor: they come to rest as they
-/// would alone, to the last bit.
+/// Two balls roll to rest far apart from a third that is shot at the floor: they come to rest as
+/// they would alone, to the last bit.
 static void contacts_elsewhere_change_nothing(void** state) {
     (void)state;
     Sphere s[3] = {ball_at(0, 0.5, 0, 0.5, 1), ball_at(1, 0.5, 0, 0.5, 30),
@@ -338,7 +338,7 @@ static void contacts_elsewhere_change_nothing(void** state) {
         contacts_drift(&beside, 1e-3);
     }
     assert_same_bits(alone.sphere, beside.sphere, 2);
-    assert_less(0, beside.sphere[2].v[1] + (real)gravity); // it has bounced
+    assert_less(0, beside.sphere[2].v[1] + (real)gravity); // after a bounce
     contacts_close(&alone);
     contacts_close(&beside);
 }

@@ -1,4 +1,4 @@
-/// Batches of springs: each spring once, and no particle twice in a batch.
+/// Batches of springs contain each spring once, and no particle twice.
 #include "bodies.h"
 #include "solve/batches.h"
 

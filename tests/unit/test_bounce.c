@@ -15,7 +15,7 @@ static void open_at(Contacts* contacts, double height, double radius, double res
     contacts_add(contacts, &ball);
 }
 
-/// A step of a world, in as many substeps as contacts ask for.
+/// A step of a world, in as many drifts as contacts allow.
 static void step_ball(Contacts* contacts, double h) {
     for (double remaining = h; remaining > 1e-12 * h;) {
         const double safe = contacts_safe_step(contacts, remaining);
@@ -25,7 +25,7 @@ static void step_ball(Contacts* contacts, double h) {
     }
 }
 
-/// Heights above the floor at which the ball turned round.
+/// Maximum heights above the floor between bounces.
 static void find_tops(double radius, double restitution, double h, double* top, int count) {
     Contacts contacts;
     open_at(&contacts, 1 + radius, radius, restitution);
@@ -80,7 +80,8 @@ static void tiny_ball_comes_to_rest_at_its_radius(void** state) {
     }
 }
 
-/// A ball that begins behind the floor, or is thrown up there, comes out at 1 m/s at most, and stays.
+/// A ball that begins below the floor, also with an upward velocity, comes out at 1 m/s at most and
+/// then rests on it.
 static void ball_below_the_floor_comes_out_gently(void** state) {
     (void)state;
     for (int k = 0; k < 9; k++) {

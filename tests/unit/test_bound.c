@@ -1,10 +1,10 @@
-/// The stability bound that the program computes, and where the explicit methods truly fail.
+/// The program's stability bound against the measured limits of the explicit methods.
 #include "bodies.h"
 #include "force/damping.h"
 #include "force/force.h"
 #include "solve/method.h"
 
-/// Energy of the deviation from rest, kinetic and elastic.
+/// Kinetic and elastic energy of the deviation from rest.
 static double energy(const Body* body) {
     double sum = force_springs.energy(body);
     for (int i = 0; i < body->count; i++)
@@ -12,7 +12,7 @@ static double energy(const Body* body) {
     return sum;
 }
 
-/// Energy grown 10 times within so many steps from a small perturbation.
+/// Whether a small perturbation's energy grows by a factor of 10 within so many steps.
 static bool explodes(const Method* method, const Mesh* mesh, double drag, double h, int steps) {
     Body body;
     body_of(mesh, &body);
@@ -30,8 +30,8 @@ static bool explodes(const Method* method, const Mesh* mesh, double drag, double
 }
 
 /// truth: cube-sphere of 3 x 3 quads a side, radius 1, 50/10/10, 1 g a particle, no pressure. One
-/// hundredth past the limit a mode of `forward` grows by (1 + h gamma / 100) in energy each step
-/// where it swings, and has to grow from a hundredth of all: that is slow under weak damping.
+/// percent above its limit the energy of an oscillating mode of `forward` grows by the factor
+/// (1 + h gamma / 100) a step, starting from a hundredth of the total: slow under weak damping.
 static const double largest_w2 = 221899.946;
 static const struct {
     const Method* method;
@@ -97,8 +97,8 @@ static void bound_is_below_the_limit_and_not_far(void** state) {
         body_add_springs(&body, paper_springs, LAW_HOOKE);
         body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = table[r].drag;
         const double bound = method_bound(table[r].method, &body);
-        assert_true(bound <= table[r].limit * (1 + 1e-6)); // free motion's is known exactly
-        assert_less(0.3 * table[r].limit, bound);          // `forward` swinging: as 1/w^2
+        assert_true(bound <= table[r].limit * (1 + 1e-6)); // exact for free motion
+        assert_less(0.3 * table[r].limit, bound);          // `forward` with oscillation: as 1/w^2
         body_free(&body);
     }
     mesh_free(&mesh);

@@ -1,5 +1,5 @@
-/// No triangle near a ball is missed: all within reach are found, measured against brute force in
-/// double, and some more whose boxes are within it.
+/// The broad phase misses no triangle near a ball: it finds all within reach, compared with brute
+/// force in double, and some more whose boxes are within reach.
 #include "bodies.h"
 #include "contact/bullet.h"
 
@@ -10,7 +10,7 @@ static double to_segment(double4 p, double4 a, double4 b) {
     return dlength(p - a - t * ab);
 }
 
-/// From a point to a triangle: to its plane above its face, else to the nearest of its edges.
+/// Distance of a point from a triangle: from its plane above its face, else from its nearest edge.
 static double to_triangle(double4 p, const real4* x, const int t[3]) {
     const double4 a = to_double4(x[t[0]]), b = to_double4(x[t[1]]), c = to_double4(x[t[2]]);
     const double4 n = dcross(b - a, c - a);
@@ -21,7 +21,7 @@ static double to_triangle(double4 p, const real4* x, const int t[3]) {
     return distance;
 }
 
-/// A skin in Bullet's hands.
+/// A skin as a Bullet shape.
 typedef struct Case {
     Mesh mesh;
     real4* x;
@@ -47,9 +47,9 @@ static void open_case(Case* c, const char* name, double scale, double offset, Wa
                       Random* random) {
     mesh_of(name, &c->mesh);
     c->x = new_array(real4, c->mesh.point_count);
-    const double4 place = {offset, 2 * offset, 3 * offset, 0};
+    const double4 origin = {offset, 2 * offset, 3 * offset, 0};
     for (int i = 0; i < c->mesh.point_count; i++)
-        c->x[i] = to_real4(scale * warped(c->mesh.point[i], warp, random) + place);
+        c->x[i] = to_real4(scale * warped(c->mesh.point[i], warp, random) + origin);
     c->skin = bullet_skin_open((const int(*)[3])c->mesh.triangle, c->mesh.triangle_count, c->x,
                                c->mesh.point_count);
     c->found = new_array(int, c->mesh.triangle_count);
@@ -67,7 +67,7 @@ static int near(Case* c, double4 center, double reach) {
                             c->mesh.triangle_count);
 }
 
-/// Every triangle within reach is found, each once and in order.
+/// Every triangle within reach is found exactly once, in ascending order.
 static void find_all(Case* c, double4 center, double reach) {
     const int count = near(c, center, reach);
     int at = 0;
@@ -83,7 +83,7 @@ static void find_all(Case* c, double4 center, double reach) {
     assert_int_equal(at, count);
 }
 
-/// Balls of all sizes: anywhere around the skin, around one of its points, and right at one.
+/// Balls of all sizes: at random around the skin, around one of its points, and exactly at a point.
 static void find_all_of(Case* c, int rounds, Random* random) {
     double low[3], high[3];
     bullet_skin_box(c->skin, low, high);
@@ -108,30 +108,30 @@ static void near_finds_what_brute_force_finds(void** state) {
     Random random = {7};
     for (int m = 0; m < 3; m++)
         for (Warp warp = PLAIN; warp < WARPS; warp++)
-            for (int away = 0; away < 2; away++) {
+            for (int far = 0; far < 2; far++) {
                 Case c = {0};
-                open_case(&c, name[m], 1, away ? 1000 : 0, warp, &random);
+                open_case(&c, name[m], 1, far ? 1000 : 0, warp, &random);
                 find_all_of(&c, 60, &random);
                 close_case(&c);
             }
 }
 
 /// Bullet 3.24 drops triangles whose area is near the rounding of 1 m^2: a skin of a millimeter
-/// would not be there at all in float, as the needles of a crumpled one.
+/// would be missing entirely in float, and so would the needles of a crumpled one.
 static void near_finds_the_smallest_triangles(void** state) {
     (void)state;
     Random random = {8};
     for (Warp warp = PLAIN; warp < WARPS; warp++)
-        for (int away = 0; away < 2; away++) {
+        for (int far = 0; far < 2; far++) {
             Case c = {0};
-            open_case(&c, "icosphere:2", 1e-3, away ? 10 : 0, warp, &random);
+            open_case(&c, "icosphere:2", 1e-3, far ? 10 : 0, warp, &random);
             find_all_of(&c, 60, &random);
             close_case(&c);
         }
 }
 
-/// A needle on a place that no grid knows, and a ball that almost only touches its face: with
-/// float's normal Bullet takes the plane for up to half a reach farther away.
+/// A needle at coordinates that are not round, and a ball that barely touches its face: with a
+/// normal in float Bullet's distance from its plane is up to half a reach too large.
 static void near_finds_needles(void** state) {
     (void)state;
     Random random = {13};

@@ -1,4 +1,4 @@
-/// What the charts are to hold, before anything is run.
+/// The plan of the charts, without running it.
 #include "law.h"
 #include "lab/chart/chart.h"
 
@@ -15,7 +15,7 @@ static ChartPlan plan_of(ChartExtent extent) {
     return plan;
 }
 
-/// A point is a run; scenes that are measured twice share theirs.
+/// Each point has a run; measures of the same scene share it.
 static void a_full_chart_has_at_most_400_points(void** state) {
     (void)state;
     int points[3];
@@ -28,7 +28,7 @@ static void a_full_chart_has_at_most_400_points(void** state) {
     assert_less(points[CHART_FULL], points[CHART_ALL]);
 }
 
-/// Every scene has Bullet's line, or says why not.
+/// Every case has a line for Bullet, or a reason why not.
 static void every_scene_has_its_peer(void** state) {
     (void)state;
     ChartPlan plan = plan_of(CHART_FULL);

@@ -1,4 +1,4 @@
-/// Contacts: impulses, what they keep, what they never do; paths through triangles.
+/// Contacts: impulses and their invariants; paths through triangles.
 #include "bodies.h"
 #include "contact/ball_triangle.h"
 #include "contact/triangle_path.h"
@@ -71,7 +71,7 @@ static void a_ball_in_reach_but_not_there_yet_just_touches(void** state) {
     assert_near((double)dot(n, contact_relative_velocity(&contact)) * h, -0.001,
                 TOLERANCE(1e-6, 1e-12));
 
-    // and one that does not reach it is left alone
+    // and one that does not reach it is not changed
     sphere.v = -(real)0.5 * n;
     for (int k = 1; k < CONTACT_NODES; k++)
         *contact.node[k].velocity = (real4){0};
@@ -81,7 +81,7 @@ static void a_ball_in_reach_but_not_there_yet_just_touches(void** state) {
     mesh_free(&mesh);
 }
 
-/// A hit as slow as what the forces do to a contact at rest in one kick is none: it sticks.
+/// No restitution below the speed that the forces give a resting contact in one kick.
 static void a_hit_slower_than_its_least_does_not_bounce(void** state) {
     (void)state;
     Mesh mesh;
@@ -105,7 +105,7 @@ static void a_hit_slower_than_its_least_does_not_bounce(void** state) {
 
 enum { BALLS = 3, CONTACTS = 400 };
 
-/// As one island, with pointers as the solver takes them.
+/// All contacts as one island, as an array of pointers for the solver.
 static ContactReport solve_all(Contact* contact, int count, double h) {
     Contact* list[CONTACTS];
     for (int k = 0; k < count; k++)
@@ -197,7 +197,7 @@ static void crowded_solves_keep_momenta_and_raise_no_energy(void** state) {
     mesh_free(&mesh);
 }
 
-/// Nothing comes nearer than touching in the drift that the solve was for.
+/// No gap is below zero after the drift for which the contacts were solved.
 static void solved_contacts_hold(void** state) {
     (void)state;
     Mesh mesh;
@@ -215,9 +215,9 @@ static void solved_contacts_hold(void** state) {
         const ContactReport report = solve_all(contact, count, h);
         for (int k = 0; k < count; k++) {
             const Contact* c = &contact[k];
-            const double least = c->gap > 0 ? -(double)c->gap / h : 0;
-            // what is left after the rounds allowed, against speeds of 20
-            assert_true((double)dot(c->normal, contact_relative_velocity(c)) > least - 0.2);
+            const double min = c->gap > 0 ? -(double)c->gap / h : 0;
+            // residual after the maximum number of iterations, relative to speeds of 20
+            assert_true((double)dot(c->normal, contact_relative_velocity(c)) > min - 0.2);
         }
         assert_true(report.iterations > 0);
         body_free(&body);
@@ -289,19 +289,19 @@ static void paths_through_moving_triangles_are_found(void** state) {
     assert_near(triangle_crossing_time(above, -down, a, still), 2, 0);
     assert_near(triangle_crossing_time((double4){0.8, 1, 0.8, 0}, down, a, still), 2, 0);
 
-    // the triangle rises through a resting point, and one that falls meets one that rises halfway
+    // the triangle rises through a resting point, and meets a falling one halfway
     const double4 up[3] = {{0, 2, 0, 0}, {0, 2, 0, 0}, {0, 2, 0, 0}};
     assert_near(triangle_crossing_time(above, (double4){0}, a, up), 0.5, 1e-12);
     assert_near(triangle_crossing_time(above, (double4){0, -2, 0, 0}, a, up), 0.25, 1e-12);
 
-    // a triangle that turns sweeps through the point at the angle where it is level with it
+    // a rotating triangle crosses the point at the angle where its plane contains it
     const double4 tip[3] = {{0}, {0, 2, 0, 0}, {0}};
     const double t = triangle_crossing_time((double4){0.4, 0.3, 0.2, 0}, (double4){0}, a, tip);
     assert_near(2 * t * 0.4, 0.3, 1e-9);
 }
 
-/// A center within a rounding of a triangle is swept to where the state's rounding puts it, which
-/// may be on the other side while the exact path's end is not.
+/// A center within a rounding of a triangle ends at the rounded position of the state, which may be
+/// on the other side although the exact end of the path is not.
 static void paths_end_where_the_drift_rounds_to(void** state) {
     (void)state;
     Mesh mesh;

@@ -1,4 +1,5 @@
-/// Contacts within an implicit step's equation: at rest the state does not depend on method and step.
+/// Contacts within the equation of an implicit step: the state at rest is independent of method and
+/// step.
 #include <fcntl.h>
 
 #include "worlds.h"
@@ -39,7 +40,7 @@ static void run_rest(const char* method, const char* step, const char* skin, dou
     run_for(&world, 2);
     assert_near(probe(&world, "balloon0.gauge_pressure"), pressure, tolerance * pressure);
     assert_near(probe(&world, "balloon0.height"), height, 1e-3 * height);
-    // neither jitters nor creeps: less than a micrometer in a step of 1/60 s
+    // no jitter and no creep: less than a micrometer in a step of 1/60 s
     const double fastest = sqrt(probe(&world, "balloon0.kinetic"));
     assert_less(fastest, 1e-4);
     world_close(&world);
@@ -53,8 +54,8 @@ static void rubber_rests_on_the_floor(void** state) {
     run_rest("method=newton", "step=0.0166666666666666667", NULL, 36.3, 0.28465, 0.02);
 }
 
-/// With friction the state at rest depends on how the skin landed, unless damping ends its vibrations
-/// first: here by both methods 37.66 Pa and 0.2456 m.
+/// With friction the state at rest depends on how the skin landed, unless damping ends its
+/// vibrations first: here by both methods 37.66 Pa and 0.2456 m.
 static void springs_rest_on_the_floor(void** state) {
     (void)state;
     const char* skin =

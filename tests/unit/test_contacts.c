@@ -1,4 +1,4 @@
-/// Balls and balloons in a world: momenta through a hit, and nothing passes through.
+/// Balls and balloons in a world: momenta in a hit, and no pass-throughs.
 #include "worlds.h"
 #include "contact/pair.h"
 
@@ -52,7 +52,7 @@ static void a_hit_keeps_momenta(void** state) {
     const Totals before = totals(&world);
     run_for(&world, 0.5);
     const Totals after = totals(&world);
-    // it did hit, and it spins
+    // it has hit and spins
     assert_true(length(world.contacts.sphere[0].v) < 9);
     assert_true(length(world.contacts.sphere[0].spin) > (real)0.1);
     assert_near(dlength(after.linear - before.linear), 0, TOLERANCE(1e-5, 1e-12) * before.sum);
@@ -61,7 +61,7 @@ static void a_hit_keeps_momenta(void** state) {
     world_close(&world);
 }
 
-/// The count after the ball has had the time to go through, from one side to the other.
+/// The count of pass-throughs after a time in which the ball could cross the whole balloon.
 static void check_throw(const Throw* t) {
     World world;
     open_throw(&world, t);
@@ -74,7 +74,7 @@ static void check_throw(const Throw* t) {
     world_close(&world);
 }
 
-/// Slowest, middle and fastest of speeds, sizes and masses, at both frame rates.
+/// Slow, medium and fast throws of several sizes and masses, at both step rates.
 static void nothing_passes_through(void** state) {
     (void)state;
     const double speeds[] = {1, 20, 200}, radii[] = {0.02, 0.2, 0.5}, masses[] = {0.1, 1, 1000};
@@ -95,8 +95,8 @@ static void nothing_passes_through(void** state) {
                 }
 }
 
-/// A ball bounces off a free balloon of rubber with gas in it, by explicit steps and by implicit
-/// ones, which keep momentum as far as they are solved.
+/// A ball bounces off a free balloon of rubber with gas, by explicit and by implicit methods; these
+/// keep momentum to the tolerance of their solve.
 static void rubber_bounces_a_ball_by_every_method_that_takes_it(void** state) {
     (void)state;
     static const char* const how[][2] = {{"method=euler", "step=2e-4"},
@@ -110,7 +110,7 @@ static void rubber_bounces_a_ball_by_every_method_that_takes_it(void** state) {
         const Totals before = totals(&world);
         run_for(&world, 0.15);
         const Totals after = totals(&world);
-        assert_less(0, (double)world.contacts.sphere[0].v[1]); // it has turned round
+        assert_less(0, (double)world.contacts.sphere[0].v[1]); // it has bounced
         assert_less(probe(&world, "balloon0.cy"), -0.01);
         assert_int_equal(world.contacts.pass_throughs, 0);
         assert_near(dlength(after.linear - before.linear), 0, TOLERANCE(1e-5, 1e-10) * before.sum);
@@ -139,7 +139,7 @@ static void a_kilogram_bounces_off_a_real_balloon(void** state) {
             world_step(&world);
             low = fmin(low, (double)world.contacts.sphere[0].x[1]);
         }
-        // pressed in, and thrown back over the balloon's top
+        // pressed in, then back above the balloon's top
         assert_less(low, 0.12);
         assert_less(0.15, (double)world.contacts.sphere[0].x[1]);
         assert_int_equal(world.contacts.pass_throughs, 0);
@@ -148,8 +148,9 @@ static void a_kilogram_bounces_off_a_real_balloon(void** state) {
     }
 }
 
-/// Random throws at a balloon on the floor that is blown up and let out: all stays finite, the
-/// count stays 0, and the skin winds around every ball as it did when the ball was thrown.
+/// Random throws at a balloon on the floor that is inflated and deflated: the state stays finite,
+/// the count stays 0, and the skin's winding number around every ball stays what it was at its
+/// throw.
 static void random_throws_end_finite_and_outside(void** state) {
     (void)state;
     Storm storm;
@@ -167,8 +168,8 @@ static void random_throws_end_finite_and_outside(void** state) {
     storm_close(&storm);
 }
 
-/// A coarse skin is blown up between four balls that it cannot move. What their restitution is
-/// makes no difference to how it comes to rest, for a contact that is pressed does not bounce.
+/// A coarse skin is inflated between four balls that it cannot move. Their restitution does not
+/// affect how it comes to rest, because a loaded contact does not bounce.
 static void balls_pressed_on_a_skin_let_it_rest(void** state) {
     (void)state;
     double kinetic[2];
@@ -190,7 +191,7 @@ static void balls_pressed_on_a_skin_let_it_rest(void** state) {
         kinetic[k] = probe(&world, "balloon0.kinetic");
         world_close(&world);
     }
-    // bounces that count keep 0.3 J in it; at rest it only creeps
+    // with wrong bounces it keeps 0.3 J; at rest it only creeps
     assert_less(kinetic[0], 1e-3);
     assert_less(kinetic[1], 2 * kinetic[0]);
 }
@@ -215,13 +216,13 @@ static void walls_stop_balls_and_skins(void** state) {
             nearest = fmin(nearest, 0.6 * (double)x[0] + 0.8 * ((double)x[1] + 1.5));
         }
     }
-    // it fell on the slope, went down it, and none of it is behind
+    // it fell on the slope and slid down, and no particle is behind the wall
     assert_near(nearest, 0, TOLERANCE(1e-5, 1e-12));
     assert_less(0.1, probe(&world, "balloon0.cx"));
     world_close(&world);
 }
 
-/// A scene with no ball is the same as if there were no contacts: Bullet's tree is not there.
+/// A scene without balls costs no contacts: Bullet's tree does not exist.
 static void a_scene_with_no_ball_pays_nothing(void** state) {
     (void)state;
     World world;
@@ -232,7 +233,7 @@ static void a_scene_with_no_ball_pays_nothing(void** state) {
     world_close(&world);
 }
 
-/// Dropped on the floor, a balloon comes to rest and does not roll or slide by itself.
+/// A balloon dropped on the floor comes to rest and then neither rolls nor slides.
 static void a_balloon_comes_to_rest_on_the_floor(void** state) {
     (void)state;
     World world;
@@ -251,7 +252,7 @@ static void a_balloon_comes_to_rest_on_the_floor(void** state) {
     world_close(&world);
 }
 
-/// Highest that the first ball of a scene comes within some seconds.
+/// Maximum height of the first ball of a scene within some seconds.
 static double launched(const char* scene, const char* sphere, const char* contact) {
     World world;
     WORLD_OF(&world, scene, sphere, contact);
@@ -267,7 +268,7 @@ static double launched(const char* scene, const char* sphere, const char* contac
     return top;
 }
 
-/// Figures 16 to 18: the heavier the ball, the less high, by the paper's penalty and by ours.
+/// Figures 16 to 18: a heavier ball rises less, with the paper's penalty and with impulses.
 static void heavier_balls_are_launched_less_high(void** state) {
     (void)state;
     const char* scenes[] = {"launch-1", "launch-100", "launch-1000"};
@@ -292,7 +293,7 @@ static void each_pair_is_a_row_of_its_own(void** state) {
     for (int r = 0; r < PAIR_ROWS; r++) {
         const PairRow* row = pair_table[r];
         assert_true(row->about[0] != 0);
-        assert_true(row->safe_step || row->stop); // else nothing would keep the two apart
+        assert_true(row->safe_step || row->stop); // else nothing would separate the two
         for (int other = 0; other < r; other++)
             assert_string_not_equal(row->name, pair_table[other]->name);
     }

@@ -10,7 +10,7 @@ static double length_of(const Body* body, int s) {
     return (double)length(body->x[end[1]] - body->x[end[0]]);
 }
 
-/// The velocities bring the particles where they would go, corrected.
+/// A drift with the corrected velocities ends at the corrected positions.
 static void go(StrainLimit* correct, Body* body, double h) {
     strain_limit_velocity(correct, body, h);
     body_drift(body, h);
@@ -25,7 +25,7 @@ static void long_spring_comes_back_to_its_limit(void** state) {
     body.v[1][0] = 1;
     go(&correct, &body, 0.5); // would be at 1.5
 
-    // half each, and the velocity is what the particles really did
+    // half each, and the velocity is the actual displacement over h
     const double rounding = TOLERANCE(1e-6, 1e-15);
     assert_near(length_of(&body, 0), 1.1, rounding);
     assert_near((double)body.x[0][0], 0.2, rounding);
@@ -66,7 +66,7 @@ static void short_enough_springs_are_left_alone(void** state) {
     body_free(&body);
 }
 
-/// Linear momentum of positions is kept by each pull between free ends.
+/// A correction between free ends keeps the center of mass.
 static void pull_keeps_the_center_of_mass(void** state) {
     (void)state;
     Mesh mesh;
@@ -101,7 +101,7 @@ static void tarantino_rests_a_corrected_spring_for_one_step(void** state) {
     assert_near((double)body.springs.active[0], 10, 0);
     assert_near((double)body.springs.active[1], 0, 0);
 
-    // its limit is not passed again: the force is back in the step after
+    // below its limit the force acts again in the next step
     body.v[1][0] = body.v[2][0] = 0;
     body.x[1][0] = 1;
     body.x[2][0] = (real)2.05;
@@ -117,7 +117,7 @@ static void tarantino_rests_a_corrected_spring_for_one_step(void** state) {
     body_free(&body);
 }
 
-/// A blown-up sphere with correction stretches less than without, by at most the threshold or so.
+/// An inflated sphere stretches less with correction than without, at most by about the threshold.
 static double blown_stretch(bool on) {
     Mesh mesh;
     Body body;

@@ -1,4 +1,4 @@
-/// Threads: every task once, and the same bits for any number of them.
+/// The thread pool runs every task once, and the bits do not depend on the number of threads.
 #include "base/crew.h"
 #include "bodies.h"
 #include "force/damping.h"
@@ -25,7 +25,7 @@ static void every_task_is_done_once(void** state) {
     crew_set(1);
 }
 
-/// A task that runs tasks itself.
+/// A task that runs tasks.
 static void count_row(void* self, int number) {
     crew_run(count_task, (int(*)[TASKS])self + number, TASKS);
 }
@@ -43,7 +43,7 @@ static void a_task_has_tasks_of_its_own(void** state) {
     crew_set(1);
 }
 
-/// Thirty balloons, which the threads share.
+/// Thirty balloons, divided among the threads.
 static void balloons_are_shared_by_threads(void** state) {
     (void)state;
     uint64_t one = 0;
@@ -61,7 +61,7 @@ static void balloons_are_shared_by_threads(void** state) {
     }
 }
 
-/// Springs, rubber and gas on a skin of many parts, some steps.
+/// Some steps of springs, rubber and gas on a skin of many parts.
 static void run_body(const Mesh* mesh, Body* body) {
     body_of(mesh, body);
     rubber_on(body, &material_neo_hookean, 0.01, 300, 1);
@@ -101,7 +101,7 @@ static void any_number_of_threads_gives_the_same_bits(void** state) {
     mesh_free(&mesh);
 }
 
-/// Elements of parts that are worked on together have no particle in common.
+/// Elements of different parts that run at the same time have no common particle.
 static void parts_of_a_membrane_are_apart(void** state) {
     (void)state;
     const char* names[] = {"cube-sphere:30", "icosphere:5", "torus:200x20"};

@@ -1,5 +1,5 @@
-// Pictures drawn without a window: what is where, what covers what, and that nothing depends on
-// what was drawn before.
+// Pictures drawn without a window: positions and occlusion, and that a picture does not depend on
+// earlier ones.
 #include "drawn.h"
 
 static bool is_red(const unsigned char rgb[3]) {
@@ -38,7 +38,7 @@ static void a_balloon_covers_what_its_radius_says(void** state) {
         blow_up(radius, 2);
         draw(pixels);
         const double pixel = 2 * tan(0.3) / HEIGHT, slope = tan(asin(radius / 9));
-        // its shine and its rim, which the studio shows through, are not red
+        // its highlight and its translucent rim are not red
         assert_close(red_pixels(), PI * pow(slope / pixel, 2), 0.15);
     }
 }
@@ -51,7 +51,8 @@ static void other_bytes(void) {
     assert_memory_not_equal(pixels, others, sizeof pixels);
 }
 
-/// What the stamp spares is not seen: from elsewhere and back, and with another stamp.
+/// Uploads skipped because of an equal stamp change no pixel: view from elsewhere and back, and
+/// with another stamp.
 static void a_stamp_changes_nothing_of_what_is_drawn(void** state) {
     (void)state;
     draw(others);
@@ -179,12 +180,12 @@ static void what_is_selected_glows_around_and_nowhere_else(void** state) {
 
 static void an_open_skin_shows_its_inside(void** state) {
     (void)state;
-    // the rear half alone: seen from its inside
-    int kept = 0;
+    // the rear half alone, seen from inside
+    int count = 0;
     for (int i = 0; i < TRIANGLES; i++)
         if (drawn.position[drawn.triangle[i][0]][2] < -0.1f)
-            memcpy(drawn.triangle[kept++], drawn.triangle[i], sizeof drawn.triangle[0]);
-    drawn.skin.triangle_count = kept;
+            memcpy(drawn.triangle[count++], drawn.triangle[i], sizeof drawn.triangle[0]);
+    drawn.skin.triangle_count = count;
     drawn.skin.paint = PAINT_FIELD;
     draw(pixels);
     assert_false(is_blue(pixels[HEIGHT / 2][WIDTH / 2]));

@@ -1,4 +1,4 @@
-/// Semi-implicit Euler: closed forms, order, what it keeps.
+/// Semi-implicit Euler: closed forms, order, invariants.
 #include "bodies.h"
 #include "force/damping.h"
 #include "force/helium.h"
@@ -42,7 +42,7 @@ static void helium_rises_to_its_terminal_speed(void** state) {
         body.force_parameter[FORCE_HELIUM][HELIUM_BASE] = 20;
         body.force_parameter[FORCE_HELIUM][HELIUM_PER_INFLATION] = 5;
         body_inflate(&body, &(Inflation){.law = INFLATE_AREA, .amount = 2});
-        body.inflation.law = INFLATE_NONE; // the amount alone, no push
+        body.inflation.law = INFLATE_NONE; // an amount without pressure
         body.force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.2;
         const double h = 1e-3, terminal = paper_mass * (30 - 9.8) / 0.2;
         for (int n = 1; n <= 30; n++) {
@@ -78,7 +78,7 @@ static void damped_spring_meets_its_errors(void** state) {
     }
 }
 
-/// An undamped spring keeps v^2/2 + w^2 u^2/2 - h w^2 u v/2, and swings at (2/h) asin(w h/2).
+/// An undamped spring keeps v^2/2 + w^2 u^2/2 - h w^2 u v/2, and oscillates at (2/h) asin(w h/2).
 static void undamped_spring_keeps_its_invariant(void** state) {
     (void)state;
     Body body;
@@ -116,21 +116,21 @@ static void exact_cube_of(Mesh* mesh, Body* body) {
     body->force_parameter[FORCE_DAMPING][DAMPING_COEFFICIENT] = 0.02;
 }
 
-/// Its distance from center to corner after the steps.
+/// Distance from center to corner after the steps.
 static double exact_cube(double h, int steps) {
     Mesh mesh;
     Body body;
     exact_cube_of(&mesh, &body);
     step(&body, h, steps);
     const double r = dlength(to_double4(body.x[0]));
-    for (int i = 1; i < body.count; i++) // it stays a cube
+    for (int i = 1; i < body.count; i++) // it remains a cube
         assert_close(dlength(to_double4(body.x[i])), r, TOLERANCE(1e-5, 1e-13));
     body_free(&body);
     mesh_free(&mesh);
     return r;
 }
 
-static void exact_cube_comes_to_its_place(void** state) {
+static void exact_cube_follows_its_closed_form(void** state) {
     (void)state;
     // float: 2,000 steps, each rounding a position of 1 to 6e-8, against a restoring force
     assert_near(exact_cube(1e-4, 2000), 1.77769353863185, TOLERANCE(2e-5, 1e-12));
@@ -158,21 +158,21 @@ static void error_halves_with_the_step(void** state) {
     }
 }
 
-/// Its one mode is w^2 = 140000: past the limit it grows, before it stays.
+/// Its only mode has w^2 = 140000: its amplitude grows above the limit and is bounded below it.
 static void exact_cube_fails_where_theory_says(void** state) {
     (void)state;
     const double limit = 5.2042764e-3;
-    const double most = 2 * sqrt(3);
+    const double far = 2 * sqrt(3);
     assert_less(fabs(exact_cube(0.98 * limit, 3000) - 1.7836), 0.01);
     Mesh mesh;
     Body body;
     exact_cube_of(&mesh, &body);
     double r = 0;
-    for (int n = 0; n < 3000 && r < most; n++) {
+    for (int n = 0; n < 3000 && r < far; n++) {
         step(&body, 1.02 * limit, 1);
         r = fmax(r, dlength(to_double4(body.x[0])));
     }
-    assert_true(r >= most);
+    assert_true(r >= far);
     body_free(&body);
     mesh_free(&mesh);
 }
@@ -242,7 +242,7 @@ int main(void) {
         cmocka_unit_test(helium_rises_to_its_terminal_speed),
         cmocka_unit_test(damped_spring_meets_its_errors),
         cmocka_unit_test(undamped_spring_keeps_its_invariant),
-        cmocka_unit_test(exact_cube_comes_to_its_place),
+        cmocka_unit_test(exact_cube_follows_its_closed_form),
         cmocka_unit_test(exact_cube_meets_its_errors),
         cmocka_unit_test(error_halves_with_the_step),
         cmocka_unit_test(exact_cube_fails_where_theory_says),

@@ -1,19 +1,19 @@
-/// The museum of failures: every scene of it fails as it says, and not where it is cured.
+/// The museum of failures: every scene fails as its key `fails` says, and does not with its cure.
 #include "worlds.h"
 
 #include "world/fails.h"
 
-enum { CURES_MOST = 8 };
+enum { MAX_CURES = 8 };
 
-/// Run the scene to where it says it has failed, cured or not.
+/// Run the scene until the time of its failure, with or without its cure.
 static void run_exhibit(World* world, const char* path, bool cured) {
     WorldDef def;
     Fault fault = {0};
-    SceneSet cure[CURES_MOST];
+    SceneSet cure[MAX_CURES];
     assert_true(scene_load(path, NULL, 0, &def, &fault));
     assert_non_null(def.fails);
     const int cures = cured ? (int)def.fails->cure_count : 0;
-    assert_in_range(cures, cured, CURES_MOST);
+    assert_in_range(cures, cured, MAX_CURES);
     for (int k = 0; k < cures; k++)
         cure[k].text = def.fails->cure[k];
     WorldDef again;
@@ -64,7 +64,7 @@ static void is_cured(const char* path) {
     scene_free(&def);
 }
 
-/// A cure does away with the failure, and where the right number is known, it is met: 2 % are the
+/// With the cure the scene does not fail, and has the right value if that is known: 2 % are the
 /// exhibits' coarse meshes and long steps.
 static void every_cure_cures(void** state) {
     (void)state;
@@ -79,7 +79,7 @@ static void fails_in_the_museum_only(const char* path) {
     scene_free(&def);
 }
 
-/// What fails lies in the museum, and nothing else does.
+/// Exactly the scenes in the museum have the key `fails`.
 static void only_the_museum_fails(void** state) {
     (void)state;
     each_scene(fails_in_the_museum_only);

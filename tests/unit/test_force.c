@@ -1,7 +1,7 @@
 /// Every row of the force table: force against energy, net force and torque.
 #include "everything.h"
 
-/// `area` inflation pushes with a pressure that its energy holds frozen at this state.
+/// `area` inflation: its energy has the pressure of this state as a constant.
 static double energy_at(const Force* force, Body* body, double frozen) {
     if (force == &force_inflation && body->inflation.law == INFLATE_AREA)
         return -frozen * measure_volume(body->mesh, body->x);
@@ -15,9 +15,9 @@ static void check_gradient(const Force* force, Body* body) {
     const real h = (real)TOLERANCE(1e-4, 1e-6);
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     force_add(force, body);
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < body->count; i++)
-        most = fmax(most, (double)length(body->f[i]));
+        max = fmax(max, (double)length(body->f[i]));
 
     for (int i = 0; i < body->count; i += 7)
         for (int k = 0; k < 3; k++) {
@@ -28,9 +28,10 @@ static void check_gradient(const Force* force, Body* body) {
             const double low = energy_at(force, body, p), below = (double)body->x[i][k];
             body->x[i][k] = x;
             const double want = -(high - low) / (above - below);
-            // float: the force is of float, and a spring has a kink where it begins to pull
-            near_at((double)body->f[i][k], want, TOLERANCE(4e-3, 1e-6) * most, force->name,
-                    __FILE__, __LINE__);
+            // float: the force has rounding of float, and a spring's force has a kink at its free
+            // length
+            near_at((double)body->f[i][k], want, TOLERANCE(4e-3, 1e-6) * max, force->name, __FILE__,
+                    __LINE__);
         }
 }
 
@@ -48,7 +49,7 @@ static void force_is_the_gradient_of_its_energy(void** state) {
     each_everything(check_gradients);
 }
 
-/// (rho V - m) g upward, and nothing to the sides.
+/// (rho V - m) g upward, no horizontal force.
 static void lift_is_the_weight_of_the_air_less_the_gas(void** state) {
     (void)state;
     const char* names[] = {"cube-sphere:4", "icosphere:2", "torus:12x8"};

@@ -1,4 +1,4 @@
-/// Single laws of forces on a few particles: springs, sheets, inflation, strings, torsion.
+/// Laws of single forces on a few particles: springs, sheets, inflation, strings, torsion.
 #include "bodies.h"
 #include "force/force.h"
 #include "force/inflation.h"
@@ -9,19 +9,19 @@ static void chain_has_its_frequencies(void** state) {
     (void)state;
     enum { FREE = 9 };
     const double mass = 1e-3, stiffness = 50;
-    double place[FREE + 2];
+    double position[FREE + 2];
     for (int i = 0; i < FREE + 2; i++)
-        place[i] = i;
+        position[i] = i;
     for (int j = 1; j <= FREE; j++) {
         Body body;
-        chain_of(&body, place, FREE + 2, mass, stiffness);
+        chain_of(&body, position, FREE + 2, mass, stiffness);
         for (int i = 1; i <= FREE; i++)
             body.x[i][0] += (real)(0.01 * sin(i * j * PI / (FREE + 1)));
         force_sum(&body);
         const double w = 2 * sqrt(stiffness / mass) * sin(j * PI / (2 * (FREE + 1)));
         for (int i = 1; i <= FREE; i++) {
             const double u = 0.01 * sin(i * j * PI / (FREE + 1));
-            // float: places up to 10 round to 5e-7, times a stiffness of 4 * 50
+            // float: positions up to 10 round to 5e-7, times a stiffness of 4 * 50
             assert_near((double)body.f[i][0], -mass * w * w * u, TOLERANCE(4e-4, 1e-12));
         }
         body_free(&body);
@@ -55,8 +55,8 @@ static void spring_laws_are_what_they_say(void** state) {
                  10 * h + TOLERANCE(1e-3, 1e-8));
 }
 
-/// A square sheet of springs is C11 = ks + 4 kf + kd, C12 = C66 = kd: the energy per area of a
-/// torus-free patch, from the springs that one interior particle owns.
+/// A square sheet of springs has C11 = ks + 4 kf + kd, C12 = C66 = kd: the energy per area far from
+/// the rim, from half of each spring of an interior particle.
 static void sheet_has_the_moduli_of_its_springs(void** state) {
     (void)state;
     Mesh mesh;

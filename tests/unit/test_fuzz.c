@@ -1,4 +1,4 @@
-/// The kept inputs of make fuzz, each a fault once or a good start: every reader returns.
+/// The stored inputs of make fuzz, former faults and valid inputs: every reader returns.
 #include <dirent.h>
 #include <setjmp.h>
 #include <stdarg.h>

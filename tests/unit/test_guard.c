@@ -1,8 +1,8 @@
-/// The guard keeps its word: what it splits is stable, whatever the state does within the step.
+/// A step that the guard splits is stable, also if the state changes much within the step.
 #include "worlds.h"
 
 /// A ball of rubber with a fifth more gas, undamped: its energy to begin with is that of the gas
-/// above the air's pressure, p^2 V / (2 p0) = 8.2 J, and none is added.
+/// above the air's pressure, p^2 V / (2 p0) = 8.2 J, and no energy is added.
 static const double ball_energy = 8.2;
 
 static void open_ball(World* world) {
@@ -18,7 +18,8 @@ static void an_undamped_ball_of_rubber_gains_no_energy(void** state) {
     const double before = probe(&world, "balloon0.total_energy");
     run_for(&world, 0.1);
     assert_false(world.blowup.halted);
-    // a first-order method's own energy differs from this one by a part of the oscillation
+    // the energy that a first-order method keeps differs from this one by a share of the
+    // oscillation
     assert_near(probe(&world, "balloon0.total_energy"), before, 0.05 * ball_energy);
     world_close(&world);
 }
@@ -38,8 +39,8 @@ static void a_bound_that_falls_within_a_step_is_seen(void** state) {
     }
 }
 
-/// The watch takes back what the bound would have let pass: here it is not looked at, and the step
-/// is five times as long.
+/// The energy watch takes back steps that the bound did not catch: here the bound is not computed,
+/// and the step is five times as long.
 static void a_step_that_gains_energy_is_taken_back(void** state) {
     (void)state;
     World world;
@@ -48,7 +49,7 @@ static void a_step_that_gains_energy_is_taken_back(void** state) {
     assert_int_equal(world.guard.taken_back, 0);
     world.guard.substeps = 1;
     world.step *= 5;
-    for (int n = 0; n < 5; n++) // up to step 15, before the next look
+    for (int n = 0; n < 5; n++) // up to step 15, before the next check
         world_step(&world);
     assert_true(world.guard.taken_back > 0);
     assert_true(world.guard.substeps > 1);
@@ -57,8 +58,8 @@ static void a_step_that_gains_energy_is_taken_back(void** state) {
     world_close(&world);
 }
 
-/// Looks within a step that is made again do not lengthen its substeps: it would be taken back for
-/// ever.
+/// Checks within a repeated step do not lengthen its substeps: else it would be taken back again
+/// and again.
 static void a_step_is_not_made_again_in_longer_substeps(void** state) {
     (void)state;
     World world;
@@ -69,15 +70,15 @@ static void a_step_is_not_made_again_in_longer_substeps(void** state) {
     for (int n = 0; n < 2 * HOLD_LOOKS; n++)
         guard_update(&world.guard, world.method, &world.system, 1e-9, &body);
     assert_int_equal(world.guard.refinement, 2);
-    energy_watch_start(&world); // the next step may be made in longer ones
+    energy_watch_start(&world); // the next step may have longer substeps
     for (int n = 0; n < 2 * HOLD_LOOKS; n++)
         guard_update(&world.guard, world.method, &world.system, 1e-9, &body);
     assert_int_equal(world.guard.refinement, 1);
     world_close(&world);
 }
 
-/// A state that goes bad between two looks has no bound: the sentence tells what it is, not that a
-/// step is above NaN.
+/// A state that fails between two checks has no bound: the sentence names the blowup, not a step
+/// above a bound of NaN.
 static void a_bad_state_within_a_step_is_named(void** state) {
     (void)state;
     World world;
@@ -88,8 +89,8 @@ static void a_bad_state_within_a_step_is_named(void** state) {
     world_close(&world);
 }
 
-/// Many long steps after one that was good: a bowl is blown up. 7.84 m^3 is euler's at 0.002 s;
-/// measured every 64 steps only, these gave 40,000 and 0.35.
+/// Many long steps after a good one, on a bowl that is inflated. 7.84 m^3 is the volume by euler at
+/// 0.002 s; with a check every 64 steps only, these gave 40,000 and 0.35.
 static void long_steps_are_measured_again_in_time(void** state) {
     (void)state;
     static const char* const method[] = {"method=xpbd", "method=projective"};
@@ -103,7 +104,7 @@ static void long_steps_are_measured_again_in_time(void** state) {
     }
 }
 
-/// A ball that begins in a wall is given the speed to come out: no method has gained that energy.
+/// A ball that begins in a wall gets a speed to leave it: this energy is no error of the method.
 static void undoing_an_overlap_is_no_gain(void** state) {
     (void)state;
     World world;
@@ -115,7 +116,7 @@ static void undoing_an_overlap_is_no_gain(void** state) {
              "spheres=[{position: [0, 9, 1.28], radius: 0.58, mass: 0.0057, restitution: 1, "
              "friction: 1}]");
     run_for(&world, 0.05);
-    assert_true(world.guard.substeps > 1); // else nothing is watched
+    assert_true(world.guard.substeps > 1); // else the energy is not watched
     assert_true(world.contacts.separation_work > 0);
     assert_int_equal(world.guard.taken_back, 0);
     assert_false(world.blowup.halted);
@@ -154,7 +155,7 @@ static void long_steps_with_corrections_are_made_in_shorter_ones(void** state) {
     world_close(&world);
 }
 
-/// What is not a number has no step that solves it.
+/// A NaN state is solved at no step.
 static void no_method_solves_a_nan(void** state) {
     (void)state;
     static const char* const method[] = {"method=newton", "method=xpbd", "method=projective"};

@@ -1,4 +1,4 @@
-/// What is written over a picture: the status box and the lab's panel.
+/// The overlay: the status box and the lab panel.
 #include "drawn.h"
 #include "hud/hud.h"
 
@@ -25,7 +25,7 @@ static void the_overlay_says_the_same_twice_and_stays_in_its_corner(void** state
 enum { WIDE = 1280, HIGH = 720 }; // where a panel has room
 static unsigned char large[2][HIGH][WIDE][3];
 
-/// Its column is the right part of the picture, its slider the lower left; what rises is drawn
+/// The panel is on the right of the picture, its slider on the lower left; a rising curve is drawn
 /// rising.
 static void the_lab_panel_draws_its_plots_on_the_right(void** state) {
     (void)state;
@@ -58,8 +58,8 @@ static void the_lab_panel_draws_its_plots_on_the_right(void** state) {
     hud_close();
 }
 
-/// In a narrow picture the status box takes more lines, and the panel and the keys lie over none of
-/// it.
+/// In a narrow picture the status box has more lines, and neither the panel nor the keys cover any
+/// of them.
 static void the_status_box_gives_way(void** state) {
     (void)state;
     Fault fault = {0};
@@ -93,7 +93,7 @@ static void the_status_box_gives_way(void** state) {
     hud_close();
 }
 
-/// What a click finds is what is drawn there.
+/// A click selects the cell or notch that is drawn at its position.
 static void a_cell_of_the_map_is_found_where_it_is_drawn(void** state) {
     (void)state;
     Fault fault = {0};

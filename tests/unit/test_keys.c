@@ -1,5 +1,5 @@
-/// Keys, throws and sessions: no key twice, a ball flies to where the mouse points, and what was
-/// logged is replayed to the same bits.
+/// Keys, throws and sessions: no key has two meanings, a ball flies toward the pointer, and a
+/// replayed log gives the same bits.
 #include "worlds.h"
 
 #include "show/keys.h"
@@ -141,7 +141,7 @@ static double from_eye(const Camera* camera, const double point[3]) {
                 pow(point[2] - (double)eye[2], 2));
 }
 
-/// Where a point is in the window, 0 ... 1 from the upper left.
+/// Position of a point in the window, 0 … 1 from the upper left.
 static void seen_at(const Camera* camera, const double point[3], double at[2]) {
     float view[16], projection[16];
     camera_view(camera, view);
@@ -182,16 +182,16 @@ static void a_ball_flies_from_the_eye_through_the_pixel_pointed_at(void** state)
     world_close(&aimer.world);
 }
 
-/// However near the eye goes, up to the box of the balloon.
+/// At every distance of the eye, up to the box of the balloon.
 static void a_ball_starts_in_front_of_the_balloon(void** state) {
     (void)state;
     Aimer aimer;
     AIMER(&aimer, "cube-sphere:6", "balloons.0.strings=[]");
     aimer.camera.pitch = aimer.camera.yaw = 0;
-    for (double away = 10; away > 0.01; away /= 2) {
+    for (double gap = 10; gap > 0.01; gap /= 2) {
         double thrown[THROW_NUMBERS];
         // the sphere's radius is 1, its middle the origin; the eye is at +z
-        aimer.camera.distance = (float)(1 + aimer.thrower.radius + away);
+        aimer.camera.distance = (float)(1 + aimer.thrower.radius + gap);
         assert_true(aim(&aimer, 0.5f, 0.5f, thrown));
         assert_true(thrown[2] >= 1 + aimer.thrower.radius - 1e-5);
         assert_true(from_eye(&aimer.camera, thrown) >= 0);

@@ -1,4 +1,4 @@
-/// The lab's panel: it shows what was measured and when, and changes no bit of the world.
+/// The lab panel shows measurements and their times, and changes no bit of the world.
 #include "worlds.h"
 
 #include "show/live_lab.h"
@@ -59,7 +59,7 @@ static void the_oldest_points_make_room(void** state) {
     world_close(&world);
 }
 
-/// A reset turns the time back, and another balloon has other numbers.
+/// A reset sets the time to 0, and another balloon has other measurements: the plots begin anew.
 static void a_reset_and_another_balloon_begin_it_again(void** state) {
     (void)state;
     World world;
@@ -174,7 +174,7 @@ static void the_dot_ends_on_the_curve(void** state) {
     world_close(&world);
 }
 
-/// The program was held up in one step of twenty: the others are still seen.
+/// The program was delayed in one step of twenty: the plot still shows the others.
 static void a_cost_far_above_the_rest_is_cut(void** state) {
     (void)state;
     World world;
@@ -211,8 +211,8 @@ static void the_panel_changes_no_bit_of_the_world(void** state) {
     world_close(&alone);
 }
 
-/// Of a scene that nobody has measured the slider says how to; of one that was, what is expected of
-/// the notch and, once the outputs' times have come, how far off they are.
+/// For a scene without measured advice the slider says how to measure; otherwise it shows the
+/// promise of the notch and, after the outputs' times, their errors.
 static void a_slider_says_what_is_known(void** state) {
     (void)state;
     World world;

@@ -1,4 +1,4 @@
-/// Runs of programs: what they print, and that none uses more than it may or outlives its parent.
+/// Runs of programs: their output, and that none exceeds its limits or outlives its parent.
 #include <signal.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -81,7 +81,7 @@ static void a_limit_of_cpu_time_ends_a_run(void** state) {
     launch_free(&launch);
 }
 
-/// A run that answers ends as it says; one that does not is ended.
+/// A run that responds to SIGTERM ends by itself; another one is killed.
 static void a_run_is_asked_to_end_before_it_is_ended(void** state) {
     (void)state;
     Launch launch = shell("trap 'echo so far; exit 5' TERM; while :; do :; done");
@@ -100,7 +100,7 @@ static void a_run_is_asked_to_end_before_it_is_ended(void** state) {
     launch_free(&launch);
 }
 
-/// What bounded_run_ending makes of a run with this script.
+/// How bounded_run_ending classifies a run of this script.
 static Ending ending_of(const char* script, char text[ENDING_TEXT]) {
     Launch launch = shell(script);
     Report report;
@@ -169,7 +169,7 @@ static void a_run_ends_with_its_parent(void** state) {
     assert_int_equal(kill(child, 0), 0);
     kill(parent, SIGTERM);
     waitpid(parent, NULL, 0);
-    // nobody waits for it here, so a dead one may stay as a zombie, which sends no output either
+    // it has no parent here that waits, so it may remain as a zombie, which sends no output either
     char path[64], line[256] = "", status = 'R';
     snprintf(path, sizeof path, "/proc/%ld/stat", (long)child);
     for (;;) {

@@ -1,5 +1,5 @@
-/// The map of a scene's steps: its cells lie on the right sides of theory, in whatever parts it was
-/// measured, and a cell's scene is the scene with its step and stiffness.
+/// The map of a scene's stable steps: its cells agree with theory, independent of the parts in
+/// which it is measured, and a cell's scene is the scene with that step and stiffness.
 #include "worlds.h"
 
 #include "lab/stability/map.h"
@@ -96,7 +96,7 @@ static void a_cells_scene_has_its_step_and_stiffness(void** state) {
     assert_close(springs->shear, 4 * before->shear, 1e-12);
     assert_close(springs->flexion, 4 * before->flexion, 1e-12);
 
-    // the map is of the scene, also where the world is a cell's
+    // the map belongs to the scene, also if the world is that of a cell
     Map other;
     map_begin(&other, &watched, own, 1);
     assert_true(map_step(&other, 0) == map_step(&map, 0));
@@ -106,7 +106,7 @@ static void a_cells_scene_has_its_step_and_stiffness(void** state) {
     world_close(&world);
 }
 
-/// Above the peak of rubber's pressure nothing holds the skin; and newton takes any step.
+/// Above the maximum of its pressure rubber has no rest; and every step of newton is stable.
 static void where_there_is_no_map_it_says_why(void** state) {
     (void)state;
     World world;

@@ -1,4 +1,4 @@
-/// The doctor: what is mended and said, what is refused and why, and the lines that it prints.
+/// The doctor: mended and refused meshes, the reasons, and the lines of its report.
 #include "meshes.h"
 
 static void sound_cube_needs_nothing(void** state) {
@@ -20,7 +20,7 @@ static void sound_cube_needs_nothing(void** state) {
     mesh_free(&mesh);
 }
 
-/// Each side of the cube has points of its own, the last ones with zeros of the other sign.
+/// Each side of the cube has its own points, the last ones with negative zeros.
 static void seams_are_welded(void** state) {
     (void)state;
     Mesh mesh;
@@ -41,7 +41,7 @@ static void seams_are_welded(void** state) {
     mesh_free(&mesh);
 }
 
-/// Two coincident sheets that are one skin by their numbers are a flat pillow, not one sheet.
+/// Two coincident sheets that share points by index form a flat pillow, not one sheet.
 static void sewn_flat_sheets_stay_two(void** state) {
     (void)state;
     Mesh mesh;
@@ -57,7 +57,7 @@ static void sewn_flat_sheets_stay_two(void** state) {
     mesh_free(&mesh);
 }
 
-/// Three sheets have a rim edge in one place; sewn, it would have three faces.
+/// Three sheets have a rim edge at one position; sewn, it would have three faces.
 static void touching_rims_stay_apart(void** state) {
     (void)state;
     Mesh mesh;
@@ -71,7 +71,7 @@ static void touching_rims_stay_apart(void** state) {
     mesh_free(&mesh);
 }
 
-/// Rims that touch in a point alone are not one skin.
+/// Rims that touch in one point only are not sewn.
 static void touching_tips_stay_apart(void** state) {
     (void)state;
     Mesh mesh;
@@ -94,7 +94,7 @@ static void flipped_faces_are_turned(void** state) {
     mesh_free(&mesh);
 }
 
-/// Inside out as a whole: five of six faces agree, and it is the sixth that stays.
+/// Inside out, except for one face of six: the other five are flipped.
 static void closed_skins_face_outward(void** state) {
     (void)state;
     Mesh mesh;
@@ -106,7 +106,7 @@ static void closed_skins_face_outward(void** state) {
     mesh_free(&mesh);
 }
 
-/// An open sheet has no outside: its majority keeps its way.
+/// An open sheet has no outside: its majority keeps its orientation.
 static void open_sheets_keep_their_majority(void** state) {
     (void)state;
     Mesh mesh;
@@ -117,7 +117,7 @@ static void open_sheets_keep_their_majority(void** state) {
     assert_int_equal(report.flipped_faces, 1);
     assert_int_equal(report.rims, 1);
     assert_int_equal(report.rim_edges, 8);
-    assert_true(mesh.face[0][1] == mesh.inside[1]); // it was turned over around its first corner
+    assert_true(mesh.face[0][1] == mesh.inside[1]); // it was flipped and kept its first corner
     mesh_free(&mesh);
 }
 
@@ -133,7 +133,7 @@ static void unused_points_are_left_out(void** state) {
     mesh_free(&mesh);
 }
 
-/// Two tori in one file: Euler's number counts the holes of both.
+/// Two tori in one file: the genus is the sum of both.
 static void genus_counts_all_holes(void** state) {
     (void)state;
     enum { N = 5 };
@@ -202,7 +202,7 @@ static void one_sided_surfaces_are_refused(void** state) {
                 "mesh.obj:9", "only one side");
 }
 
-/// The report of an unusable mesh still counts: several flaws at once, the first is the reason.
+/// The report of an unusable mesh counts all flaws; the first one is the reason.
 static void report_counts_all_flaws(void** state) {
     (void)state;
     Mesh mesh;
@@ -222,7 +222,7 @@ static void report_counts_all_flaws(void** state) {
     assert_int_equal(mesh.point_count, 0);
 }
 
-/// Random triangles and quads between points of a small lattice, many of them in one place.
+/// Random triangles and quads between points of a small lattice, many of which coincide.
 static void make_soup(MeshSource* source, Random* random) {
     const int points = 4 + (int)(20 * random_next(random));
     const int faces = 1 + (int)(12 * random_next(random));
@@ -238,7 +238,7 @@ static void make_soup(MeshSource* source, Random* random) {
     }
 }
 
-/// What the doctor lets through needs no doctor, and whatever it is given, it comes to an end.
+/// A mesh that the doctor accepts needs no further mending, and the doctor ends on any input.
 static void treated_meshes_need_no_treatment(void** state) {
     (void)state;
     Random random = {11};

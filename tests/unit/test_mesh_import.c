@@ -75,7 +75,7 @@ static char* gltf_json(const Mesh* mesh, const char* uri, const char* nodes) {
             "\"type\":\"SCALAR\"}]}",
             nodes, uri, points + triangles, points, points, triangles, mesh->point_count,
             3 * mesh->triangle_count);
-    while (ftell(out) % 4) // a chunk of a GLB file is of whole words
+    while (ftell(out) % 4) // a chunk of a GLB file is of complete words
         fputc(' ', out);
     fclose(out);
     return text;
@@ -203,7 +203,7 @@ static void transforms_of_the_scene_are_applied(void** state) {
     mesh_free(&read);
 }
 
-/// Indices say what is joined, not locations: these two touch in a point and stay apart.
+/// Points are joined by index, not by location: these two touch in a point and stay separate.
 static void coincident_vertices_stay_apart(void** state) {
     (void)state;
     const char text[] =
@@ -256,20 +256,20 @@ static size_t damage(char* bytes, size_t size, Random* random) {
     return size;
 }
 
-/// Whatever the bytes: a usable mesh, or one sentence.
+/// Any bytes give a usable mesh or one sentence.
 static void damaged_files_load_or_are_refused(void** state) {
     (void)state;
     Mesh cube;
     load("cube", &cube);
     for (int f = 0; f < FORMATS; f++) {
         size_t full;
-        char* whole = bytes_of(&formats[f], &cube, &full);
+        char* complete = bytes_of(&formats[f], &cube, &full);
         char* bytes = new_array(char, full);
         const TextFile file = write_bytes(formats[f].file, "", 0);
         Random random = {11};
         int usable = 0;
         for (int round = 0; round < 500; round++) {
-            memcpy(bytes, whole, full);
+            memcpy(bytes, complete, full);
             const size_t size = damage(bytes, full, &random);
             FILE* out = fopen(file.path, "wb");
             fwrite(bytes, 1, size, out);
@@ -282,10 +282,10 @@ static void damaged_files_load_or_are_refused(void** state) {
             usable += good;
             mesh_free(&mesh);
         }
-        // some must get through, or the test would test the first check only
+        // some files must be usable, or only the first check would be tested
         assert_in_range(usable, 10, 490);
         remove_file(&file);
-        free(whole);
+        free(complete);
         free(bytes);
     }
     mesh_free(&cube);
@@ -312,7 +312,7 @@ static char* nested_gltf(int depth, int times) {
     return json;
 }
 
-/// What exhausts assimp's stack or memory, or makes it wait, ends the child that reads it.
+/// Files that exhaust assimp's stack or memory, or block it, end only the child process.
 static void hostile_files_are_refused(void** state) {
     (void)state;
     for (int k = 0; k < 3; k++) {

@@ -1,5 +1,5 @@
-/// Loading: topology restored exactly at any size and place, any way of writing an OBJ file, and a
-/// sentence with its place for each that cannot be read.
+/// Loading: exact topology at any size and position, every syntax of OBJ files, and a sentence with
+/// its location for each file that cannot be read.
 #include "meshes.h"
 
 #include <locale.h>
@@ -33,8 +33,8 @@ static void check_same_topology(const Mesh* got, const Mesh* want) {
                         (size_t)want->point_count * sizeof *want->loaded);
 }
 
-/// assimp's own numbers are floats: at 1e7 they could not tell points 1e-6 apart from each other.
-static void topology_is_exact_at_any_size_and_place(void** state) {
+/// In assimp's floats, points 1e-6 apart would coincide at 1e7.
+static void topology_is_exact_at_any_size_and_position(void** state) {
     (void)state;
     const double cases[][2] = {{1, 0},     {1e-12, 0}, {1e12, 0},    {1e-6, 1e7},
                                {1e-30, 0}, {1e30, 0},  {1e-6, -1e7}, {1, 1e12}};
@@ -90,7 +90,7 @@ static void every_way_of_writing_is_understood(void** state) {
     mesh_free(&want);
 }
 
-/// A decimal comma of the user's language is not one of the file's.
+/// The user's locale, with a decimal comma, does not affect the file's numbers.
 static void locale_does_not_matter(void** state) {
     (void)state;
     static const char* const names[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE.utf8"};
@@ -168,7 +168,7 @@ static void bad_files_are_named(void** state) {
     remove_file(&binary);
 
     const TextFile large = write_bytes("mesh.obj", "v", 1);
-    assert_int_equal(truncate(large.path, 300 << 20), 0); // takes no room on the disk
+    assert_int_equal(truncate(large.path, 300 << 20), 0); // a sparse file
     refuse_path(large.path, "has 314572800 bytes; at most 268435456 can be read");
     remove_file(&large);
 
@@ -190,7 +190,7 @@ static void bad_files_are_named(void** state) {
     rmdir(folder.folder);
 }
 
-/// At once: to open a pipe waits for its writer, and a device may have no end.
+/// Refused without reading: opening a pipe would wait for a writer, and a device may be endless.
 static void pipes_and_devices_are_refused(void** state) {
     (void)state;
     for (int k = 0; k < mesh_format_count; k++) {
@@ -288,7 +288,7 @@ static void pentagons_among_quads_are_refused(void** state) {
     assert_non_null(strstr(fault.text, "face 37 has 5 corners"));
 }
 
-/// Change, remove or double a few bytes, anywhere, by bytes that matter to the format.
+/// Change, remove or double a few bytes at random positions, with bytes that have a meaning in OBJ.
 static size_t mutate(char* text, size_t size, Random* random) {
     static const char bytes[] = "vfplno 0123456789-+./#\\\n\r\tx\xff";
     for (int edits = 1 + (int)(4 * random_next(random)); edits > 0 && size > 1; edits--) {
@@ -307,18 +307,18 @@ static size_t mutate(char* text, size_t size, Random* random) {
     return size;
 }
 
-/// Whatever the bytes: a usable mesh, or one sentence.
+/// Any bytes give a usable mesh or one sentence.
 static void mutations_load_or_are_refused(void** state) {
     (void)state;
-    const char whole[] = CUBE_POINTS CUBE_FACES "vt 0 0\nvn 1 0 0\nf 1/1/1 2/1/1 3/1/1\n"
-                                                "v 5 5 5\nf -1 -2 -3 \\\n -4\n";
+    const char complete[] = CUBE_POINTS CUBE_FACES "vt 0 0\nvn 1 0 0\nf 1/1/1 2/1/1 3/1/1\n"
+                                                   "v 5 5 5\nf -1 -2 -3 \\\n -4\n";
     const TextFile file = write_bytes("mesh.obj", "", 0);
     Random random = {7};
     int usable = 0;
     for (int round = 0; round < 2000; round++) {
-        char text[sizeof whole + 8];
-        memcpy(text, whole, sizeof whole);
-        const size_t full = round % 2 ? sizeof whole - 1 : sizeof CUBE_POINTS CUBE_FACES - 1;
+        char text[sizeof complete + 8];
+        memcpy(text, complete, sizeof complete);
+        const size_t full = round % 2 ? sizeof complete - 1 : sizeof CUBE_POINTS CUBE_FACES - 1;
         const size_t size = mutate(text, full, &random);
         FILE* out = fopen(file.path, "wb");
         fwrite(text, 1, size, out);
@@ -333,13 +333,13 @@ static void mutations_load_or_are_refused(void** state) {
         mesh_free(&mesh);
     }
     remove_file(&file);
-    // some must get through, or the test would test the first check only
+    // some files must be usable, or only the first check would be tested
     assert_in_range(usable, 100, 1900);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(topology_is_exact_at_any_size_and_place),
+        cmocka_unit_test(topology_is_exact_at_any_size_and_position),
         cmocka_unit_test(every_way_of_writing_is_understood),
         cmocka_unit_test(locale_does_not_matter),
         cmocka_unit_test(bad_lines_are_named),

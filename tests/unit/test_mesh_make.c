@@ -5,7 +5,7 @@
 #include "mesh/reorder.h"
 #include "mesh/shape.h"
 
-/// Run a law over the whole table of shapes.
+/// Check a law for every row of the table of shapes.
 static void for_every_shape(void (*law)(const char* name, const Mesh* mesh)) {
     for (int i = 0; i < shape_count; i++) {
         Mesh mesh;
@@ -29,7 +29,7 @@ static void order_is_a_permutation(void** state) {
     for_every_shape(check_permutation);
 }
 
-/// Seen by their loaded numbers, faces use point after point for the first time.
+/// Loaded numbers ascend in the order of first use by a face.
 static void check_first_use(const char* name, const Mesh* mesh) {
     int next = 0;
     for (int f = 0; f < mesh->face_count; f++) {
@@ -110,15 +110,15 @@ static void check_triangles(const char* name, const Mesh* mesh) {
     int t = 0;
     for (int f = 0; f < mesh->face_count; f++) {
         const Facet facet = facet_of(mesh->point, mesh->face[f]);
-        double4 left = facet_area(&facet);
+        double4 rest = facet_area(&facet);
         for (int half = 0; half < facet.corners - 2; half++, t++) {
             const int* c = mesh->triangle[t];
             const int corner[4] = {c[0], c[1], c[2], NONE};
             const Facet part = facet_of(mesh->point, corner);
-            left -= facet_area(&part);
+            rest -= facet_area(&part);
         }
-        if (dlength(left) > 1e-15)
-            fail_msg("%s: face %d is not its triangles, off by %g", name, f, dlength(left));
+        if (dlength(rest) > 1e-15)
+            fail_msg("%s: face %d is not its triangles, off by %g", name, f, dlength(rest));
     }
     assert_int_equal(t, mesh->triangle_count);
 }
@@ -150,8 +150,8 @@ static void quads_are_split_along_their_shorter_diagonal(void** state) {
     }
 }
 
-/// However a file numbers its points, neighbors come to lie within one front of a flood: some
-/// multiple of the square root of their number, where a file's order may be anything.
+/// For any numbering in the file, the numbers of neighbors differ by at most a front of the flood:
+/// a multiple of the square root of the number of points.
 static void neighbors_lie_close_in_memory(void** state) {
     (void)state;
     Mesh mesh;
@@ -161,7 +161,7 @@ static void neighbors_lie_close_in_memory(void** state) {
     mesh_free(&mesh);
 }
 
-/// Two chains and a lone point: every component is taken, each from an end.
+/// Two chains and a single point: every component is numbered from one of its ends.
 static void order_takes_every_component(void** state) {
     (void)state;
     //      0 - 2 - 4    1 - 5    3

@@ -7,7 +7,7 @@ static const char* const closed_shapes[] = {"cube:3",    "cube-sphere:6", "icosp
                                             "torus:9x7", "pillow:5",      "discs:3x8"};
 enum { CLOSED_SHAPES = sizeof closed_shapes / sizeof *closed_shapes };
 
-/// A shape, a state of it, and what measure_volume_gradient says of it.
+/// A shape in a deformed state, and the result of measure_volume_gradient.
 typedef struct Measured {
     Mesh mesh;
     MeshReport report;
@@ -78,7 +78,7 @@ static void gradient_at_a_point_is_that_of_the_whole(void** state) {
     }
 }
 
-/// Moving or turning a closed skin as a whole changes no volume: so the gas exerts no net force and
+/// A rigid motion of a closed skin does not change its volume, so the gas exerts no net force and
 /// no net torque. The sums run over some 200 terms of size up to 1, each rounded once or twice.
 static void closed_skin_feels_no_net_force_or_torque(void** state) {
     (void)state;
@@ -131,7 +131,7 @@ static void cube_has_area_24_and_volume_8(void** state) {
     mesh_free(&mesh);
 }
 
-/// Area-weighted push on quads: a quarter of each flat quad's area vector at each of its corners.
+/// The gradient on flat quads is a quarter of each quad's area vector at each of its corners.
 /// A cube's corner has a quarter of three sides of area 4.
 static void flat_quads_push_by_a_quarter_of_their_area(void** state) {
     (void)state;
@@ -142,8 +142,8 @@ static void flat_quads_push_by_a_quarter_of_their_area(void** state) {
     measured_free(&m);
 }
 
-/// An open sheet's gradient is a quarter (a third) of each face's area vector: their sum is the
-/// sheet's, and it encloses nothing.
+/// An open sheet's gradient is a quarter (a third) of each face's area vector; the sum is the
+/// sheet's area vector, and its volume is 0.
 static void open_sheets_push_by_their_area_vectors(void** state) {
     (void)state;
     const char* const names[] = {"grid:5x4", "disc:3x7"};
@@ -160,8 +160,8 @@ static void open_sheets_push_by_their_area_vectors(void** state) {
     }
 }
 
-/// A skin far away has the volume that it has here: 2^20 is exact in float, the details are not
-/// finer than its last place, and the local origin takes it off again.
+/// The volume of a skin does not change far from the origin: 2^20 is exact in float, the details
+/// are not finer than its last digit, and the local origin removes it.
 static void distance_costs_no_digits(void** state) {
     (void)state;
     Mesh mesh;

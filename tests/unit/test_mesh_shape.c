@@ -1,4 +1,4 @@
-/// Shapes: their counts, that they need no mending, and that they have the size they say.
+/// Shapes: their counts and sizes, and that they need no mending.
 #include "meshes.h"
 
 #include "mesh/shapes/circle.h"
@@ -62,8 +62,8 @@ static void shapes_need_no_mending(void** state) {
     (void)state;
     for (int i = 0; i < shape_count; i++) {
         const Shape* shape = &shape_table[i];
-        for (int least = 0; least < 2; least++) {
-            const int* number = least ? shape->min : shape->usual;
+        for (int minimal = 0; minimal < 2; minimal++) {
+            const int* number = minimal ? shape->min : shape->usual;
             char name[64];
             if (shape->numbers == 1)
                 snprintf(name, sizeof name, "%s:%d", shape->name, number[0]);
@@ -82,16 +82,16 @@ static void shapes_need_no_mending(void** state) {
     }
 }
 
-/// A name without numbers is the name with the numbers of the table.
+/// A name without numbers stands for the default numbers of the table.
 static void shapes_have_defaults(void** state) {
     (void)state;
-    Mesh plain, given;
+    Mesh plain, numbered;
     load("torus", &plain);
-    load("torus:24x12", &given);
-    assert_int_equal(plain.point_count, given.point_count);
-    assert_memory_equal(plain.point, given.point, (size_t)plain.point_count * sizeof(double4));
+    load("torus:24x12", &numbered);
+    assert_int_equal(plain.point_count, numbered.point_count);
+    assert_memory_equal(plain.point, numbered.point, (size_t)plain.point_count * sizeof(double4));
     mesh_free(&plain);
-    mesh_free(&given);
+    mesh_free(&numbered);
 }
 
 static void exact_cube_has_corners_at_one(void** state) {

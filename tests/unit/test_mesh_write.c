@@ -1,4 +1,4 @@
-/// Writing: what is written is read back to the same bits, in loaded order.
+/// A written mesh is read back to the same bits, in loaded order.
 #include "meshes.h"
 
 #include "mesh/write.h"
@@ -45,7 +45,7 @@ static void vertices_are_in_loaded_order(void** state) {
     mesh_free(&mesh);
 }
 
-/// Several skins in one file: the second's faces count on from the first's vertices.
+/// Several skins in one file: the second one's vertex numbers follow the first one's.
 static void skins_follow_each_other(void** state) {
     (void)state;
     Mesh mesh, both;

@@ -1,18 +1,19 @@
-/// What every method of the table owes: laws of motion, order, momenta, room.
+/// Laws for every method of the table: motion, order, momenta, workspace.
 #include "bodies.h"
 #include "force/damping.h"
 #include "force/force.h"
 #include "force/helium.h"
 #include "mesh/measure.h"
 
-/// So many that each step is solved as far as the state's precision goes.
+/// A number of iterations with which each step is solved to the state's precision.
 static const Solver thorough = {.iterations = 100, .tolerance = 1e-12, .linear_tolerance = 1e-3};
 
 static bool takes(const Method* method, const Body* body) {
     return !method_refuses(method, body);
 }
 
-/// Order 1 in its simplest form: after a time t every method is off g h t / 2, each to its side.
+/// Order 1 in its simplest form: after a time t the error of every method is g h t / 2, of either
+/// sign.
 static void free_fall_is_off_by_half_a_step(void** state) {
     (void)state;
     Mesh mesh;
@@ -54,7 +55,7 @@ static void damped_spring_s_error_halves_with_the_step(void** state) {
         double before = damped_spring(method_table[m], 2e-4) - 7.80094746935e-4;
         for (int k = 1; k < 4; k++) {
             const double now = damped_spring(method_table[m], 2e-4 / (1 << k)) - 7.80094746935e-4;
-            // the next term is h w^2 / g of the first, 1/8 at most; float rounds 2,000 positions
+            // the next term is h w^2 / g of the first, 1/8 at max; float rounds 2,000 positions
             assert_near(before / now, 2, TOLERANCE(0.3, 0.15));
             before = now;
         }
@@ -65,8 +66,8 @@ static void damped_spring_s_error_halves_with_the_step(void** state) {
 static void a_kick_ends_with_velocities_that_respect_contacts(void** state) {
     (void)state;
     const double h = 1e-2, height = 1e-4;
-    const Solver usual = {.tolerance =
-                              0}; // each method's own: the law is of contacts, not of the solve
+    const Solver usual = {
+        .tolerance = 0}; // each method's defaults: this law concerns contacts, not the solve
     for (int m = 0; m < method_count; m++) {
         Body body;
         chain_of(&body, (double[]){0, 1}, 2, paper_mass, 1);
@@ -88,7 +89,7 @@ static void a_kick_ends_with_velocities_that_respect_contacts(void** state) {
         assert_near(drift, h, 0);
         assert_near(body.v[0][1], -height / h, TOLERANCE(1e-6, 1e-12));
 
-        body.asleep = true; // and one that is asleep is left alone
+        body.asleep = true; // and a sleeping body is not changed
         body.v[0][1] = -1;
         assert_true(method_table[m]->kick(method_table[m], &system, &contacts, h, &drift));
         assert_near(body.v[0][1], -1, 0);
@@ -102,7 +103,7 @@ static void a_kick_ends_with_velocities_that_respect_contacts(void** state) {
     }
 }
 
-/// Springs and pressure alone move no middle of mass.
+/// Springs and pressure do not move the center of mass.
 static void free_balloon_keeps_its_linear_momentum(void** state) {
     (void)state;
     Mesh mesh;
@@ -130,7 +131,7 @@ static void free_balloon_keeps_its_linear_momentum(void** state) {
                 sum += paper_mass * (double)length(body.v[i]);
             }
             const double mass = paper_mass * body.count;
-            // rounding of 40 steps; what a solver leaves is 1e-12 of the forces a step
+            // rounding of 40 steps; the solver's residual is 1e-12 of the forces a step
             assert_near(p[0], 0.4 * mass, TOLERANCE(1e-4, 1e-9) * sum);
             assert_near(p[1], 0, TOLERANCE(1e-4, 1e-9) * sum);
             assert_near(p[2], 0.1 * mass, TOLERANCE(1e-4, 1e-9) * sum);
@@ -150,7 +151,7 @@ static bool is_of_constraints(const Method* method) {
     return method->takes && method->implicit;
 }
 
-/// Largest distance of a particle from where `newton` brings it, from a shaken skin on a taut
+/// Largest distance of a particle from its position by `newton`, for a shaken skin on a taut
 /// string in `steps` steps.
 static double distance_to_newton(const Method* method, const Mesh* mesh, SpringLaw springs,
                                  InflationLaw law, double h, int steps) {
@@ -169,16 +170,16 @@ static double distance_to_newton(const Method* method, const Mesh* mesh, SpringL
             continue;
         steps_of(k ? method : &method_newton, &body[k], &thorough, h, steps);
     }
-    const bool taken = takes(method, &body[1]);
-    double most = 0;
+    const bool accepted = takes(method, &body[1]);
+    double max = 0;
     for (int i = 0; i < mesh->point_count; i++)
-        most = fmax(most, dlength(to_double4(body[1].x[i]) - to_double4(body[0].x[i])));
+        max = fmax(max, dlength(to_double4(body[1].x[i]) - to_double4(body[0].x[i])));
     body_free(&body[0]);
     body_free(&body[1]);
-    return taken ? most : NAN;
+    return accepted ? max : NAN;
 }
 
-/// What is solved to the end is backward Euler's step, whatever the way.
+/// Every fully converged implicit method gives the step of backward Euler.
 static void converged_constraints_are_backward_euler(void** state) {
     (void)state;
     Mesh mesh;
@@ -196,8 +197,8 @@ static void converged_constraints_are_backward_euler(void** state) {
     mesh_free(&mesh);
 }
 
-/// The pressure's direction is that of where the skin would go by itself, off by h^2: so is the
-/// force, and the place after a step by h^4.
+/// The pressure acts along the direction at the predicted positions, with an error of h^2; so has
+/// the force, and the positions after a step have one of h^4.
 static void pressure_of_constraints_is_near_backward_euler_s(void** state) {
     (void)state;
     if (sizeof(real) == sizeof(float))
@@ -256,7 +257,7 @@ static void methods_come_to_the_same_rest(void** state) {
     mesh_free(&mesh);
 }
 
-/// Too few rounds for the step, and the skin is softer than its springs: by a share that falls with
+/// With too few iterations the skin is softer than its springs, by a share that falls with
 /// the square of the step.
 static void constraints_stopped_early_are_soft(void** state) {
     (void)state;
@@ -273,14 +274,14 @@ static void constraints_stopped_early_are_soft(void** state) {
     mesh_free(&mesh);
 }
 
-/// A stiff force that a method of constraints has no form of would be explicit, with no bound: a new
-/// row is refused until the method says that it takes it.
+/// A method of constraints would step a stiff force explicitly and without a bound if it has no
+/// constraint for it: so a new row is refused until the method lists it.
 static void a_force_unknown_to_a_method_of_constraints_is_refused(void** state) {
     (void)state;
     for (int m = 0; m < method_count; m++) {
         const ForceUse* use = method_table[m]->takes; // NULL: any force
         assert_int_equal(use != NULL, is_of_constraints(method_table[m]));
-        for (; use && use->force; use++) // a stiff one that is taken needs a form, or a limit
+        for (; use && use->force; use++) // an accepted stiff force needs a constraint or a limit
             if (use->force->assemble && use->force != &force_inflation)
                 assert_non_null(use->replaced);
     }

@@ -1,11 +1,11 @@
-/// What a display mode shows of the world, in its colors.
+/// The quantities and colors of the display modes.
 #include "force/force.h"
 #include "studio.h"
 #include "view/color.h"
 #include "view/field.h"
 
-/// The larger principal stretch of rubber, which edges alone would not tell: x is doubled, and the
-/// largest is 2 wherever the skin lies along x.
+/// The larger principal stretch of rubber, which edges alone do not give: x is doubled, and the
+/// largest stretch is 2 where the skin is parallel to x.
 static void rubber_shows_its_larger_principal_stretch(void** state) {
     (void)state;
     Studio studio;
@@ -70,7 +70,7 @@ static void a_thin_patch_is_shown(void** state) {
     studio_close(&studio);
 }
 
-/// The push that is shown is the one that the force table adds.
+/// The displayed pressure force is the one that the force table adds.
 static void the_pressure_mode_shows_the_force_of_inflation(void** state) {
     (void)state;
     Studio studio;
@@ -79,14 +79,14 @@ static void the_pressure_mode_shows_the_force_of_inflation(void** state) {
     picture_update(&studio.picture, &studio.world, &studio.camera, &mode_pressure);
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     force_add(&force_inflation, body);
-    double most = 0;
+    double max = 0;
     for (int i = 0; i < body->count; i++)
-        most = fmax(most, (double)length(body->f[i]));
+        max = fmax(max, (double)length(body->f[i]));
     for (int i = 0; i < body->count; i++)
         // products of edges of a hundredth of the positions they are the differences of, in float
         assert_near((double)studio.picture.skin[0].field[i], (double)length(body->f[i]),
-                    TOLERANCE(1e-4, 1e-6) * most);
-    assert_less(most, (double)studio.picture.range[1] * (1 + 1e-4));
+                    TOLERANCE(1e-4, 1e-6) * max);
+    assert_less(max, (double)studio.picture.range[1] * (1 + 1e-4));
     assert_true(studio.picture.line_count > 0);
     studio_close(&studio);
 }

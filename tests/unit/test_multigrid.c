@@ -161,15 +161,15 @@ static void smoothing_keeps_the_cycle_positive(void** state) {
         const Level* level = &f.levels.level[l];
         const int n = level->matrix->count;
         real4 *v = random_vectors(n, 7), *image = new_array(real4, n);
-        double most = 0, size;
+        double max = 0, size;
         for (int power = 0; power < 100; power++) {
             block_matrix_multiply(level->matrix, v, image);
             block_kernels()->smooth_first(&level->slices, image, v);
-            most = sqrt(product(v, v, n, &size));
+            max = sqrt(product(v, v, n, &size));
             for (int i = 0; i < n; i++)
-                v[i] /= (real)most;
+                v[i] /= (real)max;
         }
-        assert_less(most, 2);
+        assert_less(max, 2);
         free(v);
         free(image);
     }
@@ -187,12 +187,12 @@ static void coarsest_is_solved(void** state) {
     block_matrix_multiply(matrix, want, b);
     coarsest_solve(&f.levels.coarsest, matrix->count, b, x);
     block_matrix_multiply(matrix, x, back);
-    double left = 0, all = 0;
+    double residual = 0, all = 0;
     for (int i = 0; i < matrix->count; i++) {
-        left += (double)dot(back[i] - b[i], back[i] - b[i]);
+        residual += (double)dot(back[i] - b[i], back[i] - b[i]);
         all += (double)dot(b[i], b[i]);
     }
-    assert_less(sqrt(left / all), 10 * rounding);
+    assert_less(sqrt(residual / all), 10 * rounding);
     free(want);
     free(b);
     free(x);

@@ -29,7 +29,7 @@ static void a_hitch_is_forgotten(void** state) {
     Pacer pacer = pacer_make(0.01, 0.05);
     assert_int_equal(pacer_due(&pacer, 10), 5);
     assert_int_equal(pacer_due(&pacer, 0.01), 1);
-    assert_int_equal(pacer_due(&pacer, -3), 0); // a clock that was set back
+    assert_int_equal(pacer_due(&pacer, -3), 0); // the clock was set back
     assert_int_equal(pacer_due(&pacer, 0.01), 1);
 }
 

@@ -1,12 +1,12 @@
-/// Bullet's soft body behind our face does what the face says.
+/// Bullet's soft body behaves as lab/peer/peer.h describes.
 #include "bodies.h"
 #include "lab/peer/peer.h"
 
 static const double h = 1e-3; ///< [s]
 
-enum { STEPS = 200, POINTS_MOST = 1000 };
+enum { STEPS = 200, MAX_POINTS = 1000 };
 
-/// A cube-sphere of radius 1 with Bullet's own numbers.
+/// A cube-sphere of radius 1 with Bullet's defaults.
 static Peer* peer_of(const Mesh* mesh, double pressure, double gravity) {
     PeerDef def = peer_def_default();
     def.point_count = mesh->point_count;
@@ -32,7 +32,7 @@ static void a_skin_falls_freely(void** state) {
     mesh_of("cube-sphere:6", &mesh);
     Peer* peer = peer_of(&mesh, 0, 9.81);
     run(peer, STEPS);
-    double4 x[POINTS_MOST], v[POINTS_MOST];
+    double4 x[MAX_POINTS], v[MAX_POINTS];
     peer_read(peer, x, v);
     const double t = STEPS * h;
     for (int i = 0; i < mesh.point_count; i++) {
@@ -68,7 +68,7 @@ static void pressure_makes_a_skin_grow_and_none_leaves_it(void** state) {
     mesh_of("cube-sphere:6", &mesh);
     Peer *still = peer_of(&mesh, 0, 0), *blown = peer_of(&mesh, 1000, 0);
     const double first = peer_volume(still);
-    assert_close(first, 4.19, 0.05); // of the ball that the mesh is in, but for its corners
+    assert_close(first, 4.19, 0.05); // nearly that of the unit ball
     run(still, STEPS);
     run(blown, STEPS);
     assert_close(peer_volume(still), first, 1e-5);
@@ -78,7 +78,7 @@ static void pressure_makes_a_skin_grow_and_none_leaves_it(void** state) {
     mesh_free(&mesh);
 }
 
-/// A ball on its way in touches points, is slowed down, and shoves the skin on.
+/// A ball that flies into the skin touches points, slows down and pushes the skin.
 static void a_ball_and_a_skin_push_each_other(void** state) {
     (void)state;
     Mesh mesh;
@@ -90,7 +90,7 @@ static void a_ball_and_a_skin_push_each_other(void** state) {
         peer_step(peer, h);
         touched += peer_contacts(peer, 0) > 0;
     }
-    double4 x, v, point[POINTS_MOST], velocity[POINTS_MOST];
+    double4 x, v, point[MAX_POINTS], velocity[MAX_POINTS];
     double down = 0;
     peer_read_sphere(peer, 0, &x, &v);
     peer_read(peer, point, velocity);
@@ -107,7 +107,7 @@ static void the_same_input_gives_the_same_state(void** state) {
     (void)state;
     Mesh mesh;
     mesh_of("cube-sphere:6", &mesh);
-    double4 x[2][POINTS_MOST], v[2][POINTS_MOST];
+    double4 x[2][MAX_POINTS], v[2][MAX_POINTS];
     for (int k = 0; k < 2; k++) {
         Peer* peer = peer_of(&mesh, 50, 9.81);
         peer_add_sphere(peer,

@@ -100,7 +100,7 @@ static void a_picture_changes_no_bit_of_the_world(void** state) {
     studio_close(&studio);
 }
 
-/// The string key ties a string to a balloon whose scene has none: there is room to draw it.
+/// The string key adds a string to a balloon without one: the picture has the capacity to draw it.
 static void a_string_tied_later_is_drawn(void** state) {
     (void)state;
     Studio studio;
@@ -133,7 +133,7 @@ static bool shows_ball(const Picture* picture, double x, double y, double z, dou
     return false;
 }
 
-/// Those of the scene, and more and more thrown ones: in every mode.
+/// Balls of the scene and a growing number of thrown ones, in every mode.
 static void every_ball_is_drawn_in_every_mode(void** state) {
     (void)state;
     Studio studio;
@@ -179,7 +179,7 @@ static long stamp_after(Studio* studio, const Mode* mode) {
     return studio->picture.stamp;
 }
 
-/// The renderer hands on what has a new stamp, and nothing else.
+/// The renderer uploads a picture if its stamp is new, and only then.
 static void a_picture_has_a_new_stamp_when_it_is_another(void** state) {
     (void)state;
     Studio studio;
@@ -187,7 +187,7 @@ static void a_picture_has_a_new_stamp_when_it_is_another(void** state) {
     long last = studio.picture.stamp;
     assert_true(last > 0);
     assert_int_equal(stamp_after(&studio, &mode_skin), last);
-    camera_orbit(&studio.camera, 0.1F, 0); // the eye is the renderer's business
+    camera_orbit(&studio.camera, 0.1F, 0); // a camera move needs no upload
     assert_int_equal(stamp_after(&studio, &mode_skin), last);
 
     world_step(&studio.world);

@@ -1,4 +1,4 @@
-/// PNG files and videos: what is written is read back, or nothing is left.
+/// PNG files and videos are read back as written; after a fault no file remains.
 #include "law.h"
 
 #include <dirent.h>
@@ -77,7 +77,7 @@ static void every_format_makes_a_video(void** state) {
         char name[32], file[64];
         Video video;
         Fault fault = {0};
-        // a name that a shell or an option parser would take for something else
+        // a name with a meaning to a shell or an option parser
         snprintf(name, sizeof name, "-y $(id) '%s", video_table[k].ending);
         in_folder(name, file);
         assert_ptr_equal(video_find(file), &video_table[k]);

@@ -1,4 +1,4 @@
-/// What can be measured: the columns of a CSV follow from the scene, and hold what they say.
+/// Outputs: the columns of a CSV follow from the scene, and have the described values.
 #include "force/force.h"
 #include "world/outputs.h"
 #include "worlds.h"
@@ -67,7 +67,7 @@ static void throw_one(World* world) {
     assert_true(world_event(world, &event, &fault));
 }
 
-/// The CSV's columns are those of the scene; who asks by name is told of thrown balls too.
+/// The CSV's columns are those of the scene; a query by name finds thrown balls too.
 static void thrown_balls_have_values_and_no_columns(void** state) {
     (void)state;
     World world;
@@ -99,7 +99,7 @@ static void a_ball_that_was_taken_away_is_nowhere(void** state) {
     assert_memory_equal(before, after, names);
     assert_true(isnan(probe(&world, "sphere0.x")) && isnan(probe(&world, "sphere1.vz")));
     assert_near(probe(&world, "pass_throughs"), 0, 0);
-    throw_one(&world); // the first ball that there is
+    throw_one(&world); // the first ball of the world
     assert_near(probe(&world, "sphere0.x"), 0.5, 0);
     assert_true(isnan(probe(&world, "sphere1.x")));
     world_close(&world);
@@ -127,7 +127,7 @@ static void methods_report_the_statistics_of_their_row(void** state) {
     }
 }
 
-/// A row says everything of its column, and a kind has no column twice.
+/// Every row has a name, a unit and a sentence, and no kind has two columns of one name.
 static void every_output_has_a_unit_and_a_sentence(void** state) {
     (void)state;
     for (int k = 0; k < output_count; k++) {
@@ -141,7 +141,7 @@ static void every_output_has_a_unit_and_a_sentence(void** state) {
     }
 }
 
-/// `elastic` is the sum over the rows that say so, whichever they are.
+/// `elastic` is the sum over all rows with that property.
 static void elastic_energy_is_that_of_the_rows_that_say_so(void** state) {
     (void)state;
     World world;

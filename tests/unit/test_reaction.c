@@ -60,7 +60,7 @@ static void touching_areas(const World* world, double* inner, double* outer) {
     free(area);
 }
 
-/// The floor carries the weight, and after the balloon has fallen asleep, too.
+/// The floor carries the weight, also while the balloon sleeps.
 static void balloon_at_rest_presses_with_its_weight(void** state) {
     (void)state;
     World world;
@@ -73,8 +73,8 @@ static void balloon_at_rest_presses_with_its_weight(void** state) {
     world_close(&world);
 }
 
-/// Between frictionless plates, against an axisymmetric membrane solver: the pressure has the order 2
-/// of the mesh, 0.4 % here. The force is p A, A the area of the flat part, whose rim runs through
+/// Between frictionless plates, against an axisymmetric membrane solver: the pressure has the order
+/// 2 of the mesh, 0.4 % here. The force is p A, A the area of the flat part, whose rim runs through
 /// triangles: its error is that of a ring of them, and larger where the flat part is small.
 static void plates_feel_pressure_times_area(void** state) {
     (void)state;
@@ -110,8 +110,8 @@ static void ball_feels_the_floor(void** state) {
     world_close(&world);
 }
 
-/// On a plane of friction 0.3 a pillow rests below arctan 0.3 = 16.70 degrees, and slides above: the
-/// damping of 0.001 N s/m lets it slide a quarter of its size a second half a degree above.
+/// On a plane of friction 0.3 a pillow rests below arctan 0.3 = 16.70 degrees, and slides above:
+/// the damping of 0.001 N s/m lets it slide a quarter of its size a second half a degree above.
 static void pillow_slides_above_the_angle_of_friction(void** state) {
     (void)state;
     static const char* const tilted =
@@ -138,7 +138,7 @@ static void pillow_slides_above_the_angle_of_friction(void** state) {
     }
 }
 
-/// A balloon that begins half below the floor comes out slowly, and stays.
+/// A balloon that begins half below the floor comes out slowly, and then rests on it.
 static void balloon_below_the_floor_comes_out_gently(void** state) {
     (void)state;
     World world;

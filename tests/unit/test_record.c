@@ -109,7 +109,7 @@ static void a_log_may_hold_no_events(void** state) {
     record_free(&record);
 }
 
-/// A log with one thing wrong, and what is said of which line.
+/// A log with one mistake, the line of the fault and its text.
 typedef struct Wrong {
     const char* text;
     int line;

@@ -1,13 +1,13 @@
-/// A ball at rest in a membrane of springs: what the membrane bears at the edge of the contact.
+/// A ball at rest in a membrane of springs: the balance of forces at the edge of the contact.
 ///
 ///     weight = pi rc^2 (p + 2 T / a)
 ///
 /// a the ball's radius, rc the radius of the circle where the skin leaves the ball, T the tension
-/// along the meridian there [N/m], p the pressure from below. No contact force is asked: rc is
-/// where the gap between skin and ball begins, and T follows from the stretch of the springs that
-/// cross a circle just outside, their slopes left out. So the law holds only if the skin leaves the
-/// ball along the ball's own tangent, whose slope is rc / a, and if what presses inside is in
-/// balance. The springs' slopes serve to see first that the skin is at rest.
+/// along the meridian there [N/m], p the pressure from below. Contact forces are not used: rc is
+/// the radius at which the gap between skin and ball begins, and T follows from the stretch of the
+/// springs that cross a circle just outside, without their slopes. So the law holds only if the
+/// skin leaves the ball along the ball's tangent, whose slope is rc / a, and if the forces within
+/// the circle are in balance. The springs' slopes only serve to check that the skin is at rest.
 #include "worlds.h"
 
 static const double ball_radius = 0.5;       ///< a [m]
@@ -18,9 +18,9 @@ static const double edges_in_a_contact = 40; ///< rc over the longest edge at th
 static const double damping = 20;            ///< [1/s]
 static const double seconds = 0.55;          ///< of motion: 500 steps
 
-/// A disc of radius 1 whose rings are close together about where the skin will leave the ball; away
-/// from there rings and sectors become fewer, by halves.
-enum { RINGS_MOST = 64, SECTORS_MOST = 288, SECTORS_LEAST = 9 };
+/// A disc of radius 1 whose rings are close together near the radius at which the skin leaves the
+/// ball; farther away the rings are wider, and sectors are halved.
+enum { MAX_RINGS = 64, MAX_SECTORS = 288, MIN_SECTORS = 9 };
 static const double fine_at = 0.286;   ///< [m] the middle of the fine rings
 static const double fine_band = 0.018; ///< [m] to both sides of it
 static const double fine = 0.005;      ///< [m] from ring to ring
@@ -29,19 +29,19 @@ static const double narrow = 0.5;      ///< [1] sectors are halved where a face 
 
 typedef struct Rings {
     int count;
-    double radius[RINGS_MOST]; ///< [count] [m] rising
-    int sectors[RINGS_MOST];   ///< [count]
-    int first[RINGS_MOST];     ///< [count] number of the ring's first point in the file
+    double radius[MAX_RINGS]; ///< [count] [m] rising
+    int sectors[MAX_RINGS];   ///< [count]
+    int first[MAX_RINGS];     ///< [count] number of the ring's first point in the file
 } Rings;
 
 static double spacing(double radius) {
     return fine + coarsening * fmax(0, fabs(radius - fine_at) - fine_band);
 }
 
-/// Sectors of a ring beside one that has so many.
+/// Number of sectors of a ring next to one with so many.
 static int sectors_beside(int sectors, double radius) {
     const bool few = 2 * PI * radius / sectors < narrow * spacing(radius);
-    return few && sectors > SECTORS_LEAST ? sectors / 2 : sectors;
+    return few && sectors > MIN_SECTORS ? sectors / 2 : sectors;
 }
 
 static void rings_make(Rings* rings) {
@@ -51,8 +51,7 @@ static void rings_make(Rings* rings) {
     double r = fine_at;
     for (int k = inner - 1; k >= 0; k--) {
         rings->radius[k] = r;
-        rings->sectors[k] =
-            k == inner - 1 ? SECTORS_MOST : sectors_beside(rings->sectors[k + 1], r);
+        rings->sectors[k] = k == inner - 1 ? MAX_SECTORS : sectors_beside(rings->sectors[k + 1], r);
         r -= spacing(r);
     }
     rings->count = inner;
@@ -112,8 +111,8 @@ static void write_disc(const char* path) {
     fclose(out);
 }
 
-/// A ball that is let go just above the middle of a taut disc with a held rim. The skin has no
-/// weight of its own, for helium bears it.
+/// A ball released just above the middle of a taut disc with a held rim. The skin has no net
+/// weight, because helium carries it.
 static void open_membrane(World* world, double gravity, double inflation) {
     char folder[] = "/tmp/balloon-rest-XXXXXX", path[64], set[5][160];
     assert_non_null(mkdtemp(folder));
@@ -145,25 +144,25 @@ static double radius_of(double4 x) {
 
 /// Distance from the axis of the outermost contact with an impulse.
 static double outermost_contact(const World* world) {
-    double most = 0;
+    double max = 0;
     for (int k = 0; k < world->contacts.contact_count; k++) {
         const Contact* c = &world->contacts.contact[k];
         if (c->normal_impulse > 0)
-            most = fmax(most, radius_of(to_double4(c->lever[0].arm)));
+            max = fmax(max, radius_of(to_double4(c->lever[0].arm)));
     }
-    return most;
+    return max;
 }
 
-/// rc, from where the particles are. The skin leaves the ball as a curve leaves its tangent, so
-/// the gap grows as (r - rc)^2: the line through the roots of the gaps of the next few rings meets
-/// zero at rc.
+/// rc from the positions of the particles. The skin leaves the ball as a curve leaves its tangent,
+/// so the gap grows as (r - rc)^2: the line through the roots of the gaps of the next few rings
+/// meets zero at rc.
 static double contact_radius(const Body* body, double4 center, double touching) {
-    const double least = 2e-4 * ball_radius, most = 3e-3 * ball_radius;
+    const double min = 2e-4 * ball_radius, max = 3e-3 * ball_radius;
     double n = 0, r_sum = 0, root_sum = 0, root_root = 0, root_r = 0;
     for (int i = 0; i < body->count; i++) {
         const double4 x = to_double4(body->x[i]) - center;
         const double gap = dlength(x) - ball_radius, r = radius_of(x);
-        if (gap < least || gap > most || r < touching || x[1] > 0)
+        if (gap < min || gap > max || r < touching || x[1] > 0)
             continue;
         const double root = sqrt(gap);
         n++;
@@ -172,12 +171,12 @@ static double contact_radius(const Body* body, double4 center, double touching) 
         root_root += root * root;
         root_r += root * r;
     }
-    assert_less(SECTORS_MOST, n);
+    assert_less(MAX_SECTORS, n);
     const double slope = (n * root_r - root_sum * r_sum) / (n * root_root - root_sum * root_sum);
     return (r_sum - slope * root_sum) / n;
 }
 
-/// What the springs that cross a circle about the axis do.
+/// Forces of the springs that cross a circle about the axis.
 typedef struct Cut {
     double tension; ///< T: pull along the meridian per length of the circle [N/m]
     double lift;    ///< upward pull on the skin inside the circle [N]
@@ -221,11 +220,11 @@ static void check_rest(double gravity, double inflation) {
     const double outside = (1 + 1 / edges_in_a_contact) * rc;
     const double weight = ball_mass * gravity, p = probe(&world, "balloon0.gauge_pressure");
     const Cut cut = cut_at(body, center, outside);
-    // at rest: what is left of the motion is worth less than 2 % of the weight
+    // at rest: the unbalanced force is less than 2 % of the weight
     assert_near(center[0], 0, 0.01 * ball_radius);
     assert_near(center[2], 0, 0.01 * ball_radius);
     assert_close(cut.lift + p * PI * outside * outside, weight, 0.02);
-    // one edge is 5 % of the area in the circle: rc is known to a part of one
+    // one edge is 5 % of the circle's area, and rc is known to a fraction of an edge
     assert_less(cut.edge, rc / edges_in_a_contact);
     assert_close(area * (p + 2 * cut.tension / ball_radius), weight, 0.05);
     world_close(&world);

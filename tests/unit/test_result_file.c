@@ -1,4 +1,4 @@
-/// Files of results: whose they are, and whether they are whole.
+/// Files of results: which may be replaced, and whether they are complete.
 #include "law.h"
 
 #include <stdlib.h>
@@ -34,7 +34,7 @@ static void remove_all(const char* folder) {
     assert_int_equal(system(command), 0);
 }
 
-/// A result is written anew without a question; another file is not, until that is allowed.
+/// A result replaces an earlier one; it replaces another file only after that is allowed.
 static void only_own_files_are_written_over(void** state) {
     (void)state;
     char folder[] = "/tmp/balloon-result-XXXXXX";

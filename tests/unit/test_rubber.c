@@ -1,5 +1,5 @@
-/// Balloons of rubber: runs known to ten digits, closed forms of a sphere, and what must be kept.
-/// Values are of programs and formulas that share no code with this one.
+/// Balloons of rubber: runs known to ten digits, closed forms of a sphere, invariants.
+/// The values come from programs and formulas that share no code with this one.
 #include "bodies.h"
 #include "force/tangent.h"
 #include "force/inflation.h"
@@ -36,7 +36,8 @@ static void known_runs_are_met(void** state) {
             radius += r / body->count;
             square += r * r;
         }
-        // float: the solver stops at 2e-6 of the forces, of which the gauge pressure is the rest
+        // float: the solver stops at 2e-6 of the forces, and the gauge pressure is their small
+        // difference
         assert_close(probe(&world, "balloon0.volume") / first, run[k].volume,
                      TOLERANCE(2e-5, 1e-9));
         assert_close(probe(&world, "balloon0.gauge_pressure"), run[k].pressure,
@@ -48,7 +49,7 @@ static void known_runs_are_met(void** state) {
     }
 }
 
-/// Settled gauge pressure of a closed gas on a sphere of the given level.
+/// Gauge pressure at rest of a closed gas in an icosphere of this refinement.
 static double settled_pressure(const char* sphere, double amount) {
     char model[64], filled[64];
     snprintf(model, sizeof model, "balloons.0.model=%s", sphere);
@@ -71,7 +72,7 @@ static void closed_gas_has_the_pressure_of_the_closed_form(void** state) {
     }
 }
 
-/// The error falls by four with each level, and the values of independent runs are met.
+/// The error falls by four with each refinement, and the values of independent runs are matched.
 static void order_in_space_is_two(void** state) {
     (void)state;
     static const double want[] = {1490.64, 1259.16, 1204.05, 1190.36, 1186.94};
@@ -189,7 +190,7 @@ static void order_in_time_is_one(void** state) {
     assert_near(converged, 1.2025606445, 0.02);
 }
 
-/// With the atmosphere about and equal volume, a uniform thickness does not change the shape.
+/// In the atmosphere, a uniform thickness does not change the shape at equal volume.
 static void uniform_thickness_does_not_change_the_shape(void** state) {
     (void)state;
     double side[2][3];
@@ -260,7 +261,8 @@ static void a_thin_part_swells_more(void** state) {
     world_close(&world);
 }
 
-/// Where a method cannot solve a step, the state stays whole and the sentence names the step.
+/// If a method cannot solve a step, the last good state is restored and the sentence names the
+/// step.
 static void a_step_that_is_not_solved_is_named_and_survived(void** state) {
     (void)state;
     World world;

@@ -2,7 +2,8 @@
 #include "standard.h"
 #include "worlds.h"
 
-/// What leaves one balloon arrives in the other, and the small one empties into the big one.
+/// The gas that leaves one balloon arrives in the other, and the small one empties into the big
+/// one.
 static void the_small_balloon_empties_into_the_big_one(void** state) {
     (void)state;
     World world;
@@ -22,7 +23,8 @@ static void the_small_balloon_empties_into_the_big_one(void** state) {
     world_close(&world);
 }
 
-/// Valve and leak let out in proportion to the gauge pressure, and stop at ambient.
+/// The flow through valve and leak is proportional to the gauge pressure, and stops at ambient
+/// pressure.
 static void gas_is_let_out_until_ambient(void** state) {
     (void)state;
     World world;

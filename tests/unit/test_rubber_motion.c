@@ -1,13 +1,14 @@
-/// The spherical balloon of rubber in motion, on meshes: closed values are met at second order in
-/// space, and it runs away where they say.
+/// The spherical balloon of rubber in motion, on meshes: closed values are approached at second
+/// order in space, and the motion is unbounded where the closed form is.
 ///
-/// A mesh is as good as its square edge a^2 (over the radius), and swings a little too fast: a
-/// swing of half width A errs by e = A d sin(phase) + A d^2/2 cos(phase), d ~ a^2. With E, the
-/// largest error of the coarse mesh, d is E/A, and what follows the leading term is smaller by
+/// The error of a mesh is proportional to its squared edge a^2 (over the radius), and it oscillates
+/// a little too fast: at amplitude A the error is e = A d sin(phase) + A d^2/2 cos(phase), d ~ a^2.
+/// With E, the largest error of the coarse mesh, d is E/A, and the next term is smaller by the
+/// factor
 ///
 ///     r = a^2 + E/(2 A)
 ///
-/// On a mesh of half the edge the leading term is a quarter, what follows it a sixteenth, so
+/// On a mesh of half the edge the leading term is a quarter, the next one a sixteenth, so
 ///
 ///     coarse/fine = 4 (1 + r)/(1 + r/4) = 4 + 3 r,    (4 fine - coarse)/3 = -r/4 of the coarse
 #include "lab/truth/truth.h"
@@ -41,7 +42,7 @@ static void run(const char* scene, int level, int parts, double l[SAMPLES + 1]) 
     world_close(&world);
 }
 
-/// The stretch with nothing left of the step's errors c h + d h^2: from h, h/2 and h/4.
+/// The stretch without the step's errors c h + d h^2, extrapolated from h, h/2 and h/4.
 static void run_without_step(const char* scene, int level, double l[SAMPLES + 1]) {
     double long_step[SAMPLES + 1], half[SAMPLES + 1], quarter[SAMPLES + 1];
     run(scene, level, 10, long_step);
@@ -85,8 +86,8 @@ static double without_mesh(double coarse, double fine) {
     return (4 * fine - coarse) / 3;
 }
 
-/// At sample k both meshes together give the closed value. A single error need not fall by four:
-/// it may stand where the leading term passes through zero.
+/// At sample k the extrapolation of both meshes gives the closed value. A single error need not
+/// fall by four: its leading term may pass through zero there.
 static void value_is_met(const Motion* motion, int k, double want) {
     const double tolerance = motion->r / 4 * motion->error;
     assert_near(without_mesh(motion->coarse[k], motion->fine[k]), want, tolerance);
@@ -138,13 +139,13 @@ static void sudden_pressure_moves_the_mesh_as_computed(void** state) {
     value_is_met(&motion, 100, 1.2025606445);
 
     const double* l[] = {motion.coarse, motion.fine};
-    double most[2], period[2], ignored;
+    double height[2], period[2], ignored;
     for (int m = 0; m < 2; m++) {
         const int peak = largest(l[m]);
-        extreme(l[m], peak, &most[m], &ignored);
+        extreme(l[m], peak, &height[m], &ignored);
         extreme(l[m], least_after(l[m], peak), &ignored, &period[m]);
     }
-    extreme_is_met(&motion, most, 1.2266611128);
+    extreme_is_met(&motion, height, 1.2266611128);
     extreme_is_met(&motion, period, 0.0144482699);
 }
 
@@ -157,22 +158,22 @@ static void slow_filling_moves_the_mesh_as_computed(void** state) {
     value_is_met(&motion, 100, 1.1444731146);
 }
 
-/// Has the balloon swollen to twice its radius within these seconds? The peak of the pressure is at
-/// 1.38, and the furthest that it swings and comes back is 1.73.
+/// Whether the balloon grows to twice its radius within these seconds. The maximum of the pressure
+/// is at 1.38, and the largest amplitude of a bounded oscillation is 1.73.
 static bool runs_away(World* world, double seconds) {
     const double first = probe(world, "balloon0.volume");
-    bool away = false;
-    while (!away && world_time(world) < seconds) {
+    bool unbounded = false;
+    while (!unbounded && world_time(world) < seconds) {
         run_for(world, 0.005);
-        away = probe(world, "balloon0.volume") > 8 * first;
+        unbounded = probe(world, "balloon0.volume") > 8 * first;
     }
     world_close(world);
-    return away;
+    return unbounded;
 }
 
-/// A mesh whose pressure is too high by a share has limits that are too high by it. The share is
-/// known from the gauge pressure of twice the gas, a fourth with each level, and differs a little
-/// with the stretch.
+/// A mesh whose pressure is too high by a share has limits that are too high by the same share. The
+/// share is known from the gauge pressure of twice the gas, falls by four with each refinement, and
+/// differs a little with the stretch.
 static void limit_is_met(double limit, bool (*exceeded)(const char* model, double pressure)) {
     static const struct {
         const char* model;
@@ -208,7 +209,7 @@ static bool slow_runs_away(const char* model, double pressure) {
     return runs_away(&world, 0.8);
 }
 
-/// Let on slowly and damped, it holds up to the maximum of the pressure.
+/// Inflated slowly and with damping, it has a rest up to the maximum of the pressure.
 static void a_slow_pressure_holds_up_to_the_peak(void** state) {
     (void)state;
     limit_is_met(1239.4629024, slow_runs_away);

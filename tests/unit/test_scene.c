@@ -323,7 +323,7 @@ static double default_of(const KeyGroup* group, const char* name) {
     return key.is.default_value;
 }
 
-/// A default that other rooms hold as well is the row's.
+/// Defaults that other folders define are equal to those in the rows.
 static void defaults_of_rows_are_those_of_the_program(void** state) {
     (void)state;
     Key inflation;

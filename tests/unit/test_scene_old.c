@@ -1,7 +1,7 @@
-/// Earlier names of keys are read, in files and in overrides, and told.
+/// Earlier names of keys are read, in files and in overrides, with a message.
 #include "scenes.h"
 
-/// `full` with one key by its earlier name; false where it does not have the key in a line.
+/// `full` with one key by its earlier name; false if no line begins with the key.
 static bool with_old_name(const Key* key, char text[sizeof full + 16]) {
     char name[64];
     snprintf(name, sizeof name, "%s: ", key->is.name);
@@ -48,7 +48,7 @@ static void old_name_is_read(const char* pattern, const Key* key, void* count) {
     assert_true(with_old_name(key, text));
     must_read_the_same(full, NULL, text, NULL, key);
 
-    // an override of either name is of the same key, whichever the file has
+    // an override by either name sets the same key, also if the file uses the other name
     snprintf(path, sizeof path, "%s", pattern);
     for (char* c = path; *c; c++)
         if (*c == '*')
@@ -91,9 +91,9 @@ static void an_earlier_name_below_an_override_is_read(void** state) {
 
 static void both_names_at_once_are_refused(void** state) {
     (void)state;
-    char place[96];
-    snprintf(place, sizeof place, "%s:6", scene);
-    must_refuse(HEAD "    rotation: 1\n    turn: 2\n", NULL, place, "'rotation' stands twice");
+    char location[96];
+    snprintf(location, sizeof location, "%s:6", scene);
+    must_refuse(HEAD "    rotation: 1\n    turn: 2\n", NULL, location, "'rotation' stands twice");
 }
 
 int main(void) {

@@ -65,10 +65,10 @@ static void an_override_mends_what_is_wrong_in_the_file(void** state) {
 
 static void a_fault_of_the_file_keeps_its_line_under_overrides(void** state) {
     (void)state;
-    char place[96];
-    snprintf(place, sizeof place, "%s:5", scene);
+    char location[96];
+    snprintf(location, sizeof location, "%s:5", scene);
     const char* const set[] = {"step=0.5", "balloons.0.turn=1", NULL};
-    must_refuse(HEAD "    scale: 0\n", set, place, "balloons.0.scale must be greater than 0");
+    must_refuse(HEAD "    scale: 0\n", set, location, "balloons.0.scale must be greater than 0");
 }
 
 static void what_an_override_does_wrong_is_said_of_it(void** state) {
@@ -97,9 +97,9 @@ static void what_an_override_does_wrong_is_said_of_it(void** state) {
     };
     // clang-format on
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-        char place[128];
-        snprintf(place, sizeof place, "--set %s", wrong[i][0]);
-        must_refuse(smallest, (const char* const[]){wrong[i][0], NULL}, place, wrong[i][1]);
+        char location[128];
+        snprintf(location, sizeof location, "--set %s", wrong[i][0]);
+        must_refuse(smallest, (const char* const[]){wrong[i][0], NULL}, location, wrong[i][1]);
     }
 }
 

@@ -1,7 +1,7 @@
-/// What is wrong in a scene is said in one sentence with its line.
+/// Each mistake in a scene gives one sentence with its line.
 #include "scenes.h"
 
-/// `smallest` with one thing wrong: a text, and what is said of which line.
+/// `smallest` with one mistake: a text, the line of the fault and words of its sentence.
 typedef struct Wrong {
     const char* text;
     int line;
@@ -111,9 +111,9 @@ static const Wrong wrong_table[] = {
 static void what_is_wrong_is_said_in_one_sentence_with_its_line(void** state) {
     (void)state;
     for (size_t i = 0; i < sizeof wrong_table / sizeof wrong_table[0]; i++) {
-        char place[96];
-        snprintf(place, sizeof place, "%s:%d", scene, wrong_table[i].line);
-        must_refuse(wrong_table[i].text, NULL, place, wrong_table[i].words);
+        char location[96];
+        snprintf(location, sizeof location, "%s:%d", scene, wrong_table[i].line);
+        must_refuse(wrong_table[i].text, NULL, location, wrong_table[i].words);
     }
 }
 
@@ -128,14 +128,14 @@ static void first_of(const char* pattern, char path[128]) {
 }
 
 static void must_be_out_of_range(const char* path, const char* of, double value) {
-    char text[192], place[200], words[200], skin[192];
+    char text[192], location[200], words[200], skin[192];
     snprintf(skin, sizeof skin,
              "balloons.1.skin={membrane: {material: %s, young: 1, density: 1, thickness: 1}}", of);
     snprintf(text, sizeof text, "%s=%.17g", path, value);
-    snprintf(place, sizeof place, "--set %s", text);
+    snprintf(location, sizeof location, "--set %s", text);
     snprintf(words, sizeof words, "%s must be", path);
     const char* const set[] = {of ? skin : text, text, NULL};
-    must_refuse(full, set, place, words);
+    must_refuse(full, set, location, words);
 }
 
 static void out_of_range_is_refused(const char* pattern, const Key* key, void* ranges) {
@@ -210,12 +210,12 @@ static void a_file_that_may_not_be_read_is_refused(void** state) {
 static void scenes_without_measure_are_refused(void** state) {
     (void)state;
     static char text[(1 << 18) + 2];
-    char place[96];
-    snprintf(place, sizeof place, "%s:2", scene);
+    char location[96];
+    snprintf(location, sizeof location, "%s:2", scene);
 
     memset(text, '[', 200000);
     text[0] = '\n';
-    must_refuse(text, NULL, place, "no scene has so many brackets in each other");
+    must_refuse(text, NULL, location, "no scene has so many brackets in each other");
 
     memset(text, ' ', sizeof text - 1);
     must_refuse(text, NULL, scene, "a scene has at most 262144 bytes");

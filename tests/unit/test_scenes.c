@@ -1,9 +1,9 @@
-/// Every shipped scene, and what the figures of the mass-spring paper show.
+/// Every shipped scene, and results of the mass-spring paper's figures.
 #include "worlds.h"
 
 #include "force/force.h"
 
-/// Where the rubber's volume is kept, its sum is: the other sums round to 1e-16 and 1e-7 of it.
+/// With a volume constraint the total rubber volume is constant to rounding, 1e-16 and 1e-7 of it.
 static void check_rubber(const World* world, const char* path) {
     for (int b = 0; b < world->balloon_count; b++) {
         char output[64];
@@ -28,7 +28,7 @@ static void runs_and_stays_finite(const char* path) {
     world_close(&world);
 }
 
-/// Those of the museum of failures are test_fails.c's.
+/// The scenes of the museum of failures are tested by test_fails.c.
 static void every_scene_runs_and_stays_finite(void** state) {
     (void)state;
     assert_true(each_scene(runs_and_stays_finite) >= 10);
@@ -46,7 +46,7 @@ static void is_about_something(const char* path) {
     world_close(&world);
 }
 
-/// Each says what it is about, outputs that it has, or why it is about none; failures are.
+/// Each names outputs that it has, or a reason why it names none; scenes of failures have `fails`.
 static void every_scene_is_about_something(void** state) {
     (void)state;
     each_scene(is_about_something);
@@ -100,8 +100,8 @@ static void tied_squirrel_turns_upside_down(void** state) {
     const double upright = slab_height(squirrel, 0.7, 1) - slab_height(squirrel, 0, 0.2);
     assert_less(0.5, upright);
     run_for(&world, world.def.seconds);
-    const double turned = slab_height(squirrel, 0.7, 1) - slab_height(squirrel, 0, 0.2);
-    assert_less(turned, -0.5 * upright);
+    const double difference = slab_height(squirrel, 0.7, 1) - slab_height(squirrel, 0, 0.2);
+    assert_less(difference, -0.5 * upright);
     world_close(&world);
 }
 
@@ -121,7 +121,7 @@ static void bowl_becomes_a_ball(void** state) {
     world_close(&world);
 }
 
-/// Figures 1 and 2: it holds more, and its thinnest parts have grown too.
+/// Figures 1 and 2: its volume has grown, and so have its thinnest parts.
 static void blown_up_squirrel_holds_more(void** state) {
     (void)state;
     World world;
@@ -132,7 +132,7 @@ static void blown_up_squirrel_holds_more(void** state) {
     world_close(&world);
 }
 
-/// Figures 11 and 12: correction holds the turtle smaller and its springs shorter.
+/// Figures 11 and 12: with correction the turtle is smaller and its springs are shorter.
 static void corrected_turtle_is_held(void** state) {
     (void)state;
     double volume[2], stretch[2];
@@ -148,7 +148,7 @@ static void corrected_turtle_is_held(void** state) {
     assert_less(stretch[1], 0.9 * stretch[0]);
 }
 
-/// The pieces fall where they are: a scene's particles answer to the model's own numbers.
+/// Particle numbers in a scene are those of the model's file.
 static void loaded_numbers_name_the_model_s_vertices(void** state) {
     (void)state;
     World world;

@@ -1,4 +1,4 @@
-// Shaders are files that people edit: a mistake in one is named with its place.
+// Users may edit the shader files: a fault names the file and line of a mistake.
 #include "law.h"
 
 #include <unistd.h>
@@ -38,7 +38,7 @@ static void spoil_shaders(char folder[64]) {
 
 static void a_broken_shader_is_named_with_its_line(void** state) {
     (void)state;
-    char folder[64], place[128], command[128];
+    char folder[64], location[128], command[128];
     spoil_shaders(folder);
     Fault fault = {0};
     const GLuint program = shader_load(folder, "floor.vert", "floor.frag", &fault);
@@ -46,9 +46,9 @@ static void a_broken_shader_is_named_with_its_line(void** state) {
     assert_int_equal(system(command), 0);
 
     assert_int_equal(program, 0);
-    snprintf(place, sizeof place, "%s/floor.frag:", folder);
-    assert_memory_equal(fault.location, place, strlen(place));
-    const int line = atoi(fault.location + strlen(place));
+    snprintf(location, sizeof location, "%s/floor.frag:", folder);
+    assert_memory_equal(fault.location, location, strlen(location));
+    const int line = atoi(fault.location + strlen(location));
     assert_in_range(line, 3, 4); // the compiler may see it only at the end
 }
 

@@ -1,9 +1,9 @@
-/// What falls on the floor, and the order of what is seen through.
+/// The shadow on the floor, and the order of translucent surfaces.
 #include "draw/depth.h"
 #include "draw/shadow.h"
 #include "drawn.h"
 
-// The light that is left on the floor at (x, 0) as a part of 1.
+// The share of light that reaches the floor at (x, 0).
 static double light_at(const Shadow* shadow, double x) {
     const double reach = (double)shadow_reach(&drawn.picture);
     const int column = (int)((x / reach + 1) * SHADOW_CELLS / 2 + 0.5);
@@ -42,7 +42,7 @@ static void the_floor_under_a_balloon_is_darker(void** state) {
     draw(pixels);
     drawn.picture.skin_count = 0;
     draw(others);
-    // just below the balloon's outline, right of its middle, where the key throws its shadow
+    // just below the balloon's outline, right of its middle, in the key light's shadow
     assert_less(brightness(pixels[88][WIDTH / 2 + 8]), brightness(others[88][WIDTH / 2 + 8]) - 60);
 }
 

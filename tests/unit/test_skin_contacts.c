@@ -72,8 +72,8 @@ static void a_heap_never_crosses_by_any_method(void** state) {
     }
 }
 
-/// Pairs that are not measured in a part are those that their last distance and the motion since rule
-/// out, in lists that hold.
+/// Pairs that are not measured in a part are those that their last distance and the motion since
+/// rule out, in lists that hold.
 static void a_pair_is_never_nearer_than_its_bound(void** state) {
     (void)state;
     World world;
@@ -107,7 +107,7 @@ static void without_contacts_it_crosses(void** state) {
     run_for(&world, 0.3);
     const int count = crossings(&world);
     assert_true(count > 10);
-    assert_near(probe(&world, "crossings"), count, 0.05 * count); // it also looks at neighbors
+    assert_near(probe(&world, "crossings"), count, 0.05 * count); // it also tests neighbors
     world_close(&world);
 }
 
@@ -166,7 +166,7 @@ static void a_hit_keeps_momenta_and_crosses_nothing(void** state) {
         const double tolerance = TOLERANCE(1e-5, 1e-12);
         assert_near(dlength(after.linear - before.linear), 0, tolerance * before.linear_sum);
         assert_near(dlength(after.angular - before.angular), 0, tolerance * before.angular_sum);
-        assert_true(world.balloon[0].body.v[0][0] < (real)(0.9 * hit[k].speed)); // they did hit
+        assert_true(world.balloon[0].body.v[0][0] < (real)(0.9 * hit[k].speed)); // they have hit
         world_close(&world);
     }
 }

@@ -1,4 +1,4 @@
-/// Balloons that come to rest sleep, cost nothing, and wake when anything is asked of them.
+/// Balloons at rest sleep without cost, and wake when anything acts on them.
 #include "worlds.h"
 
 static const double settle = 20; ///< [s]
@@ -7,7 +7,7 @@ static void open_tether(World* world, const char* rest) {
     WORLD_OF(world, "tether", rest);
 }
 
-/// What is left out is the way that was left to go: 5 s at a thousandth of its size a second, for
+/// Sleep skips the remaining motion: 5 s at a thousandth of its size a second, because
 /// the string's swing decays at 10/s.
 static void a_balloon_at_rest_sleeps_where_it_would_be(void** state) {
     (void)state;
@@ -59,8 +59,8 @@ static void gas_wakes_it(void** state) {
     world_close(&world);
 }
 
-/// A ball that is on its way, 2.9 s through the air, is no reason to wake; that it has come is. It
-/// does not pass through, and the balloon gets what the ball loses.
+/// A ball that flies for 2.9 s does not wake the balloon before it arrives. It then
+/// does not pass through, and the balloon gains the momentum that the ball loses.
 static void a_ball_wakes_it(void** state) {
     (void)state;
     World world;

@@ -1,4 +1,4 @@
-/// Springs: how many there are of each kind, and that each pair is there once.
+/// Springs: the number of each kind, and that each pair of particles occurs once.
 #include <sys/resource.h>
 
 #include "bodies.h"
@@ -121,7 +121,7 @@ static void each_pair_is_there_once(void** state) {
     }
 }
 
-/// A kind without stiffness is neither computed nor stored.
+/// Springs of a kind without stiffness are neither stored nor computed.
 static void unwanted_kinds_do_not_exist(void** state) {
     (void)state;
     Mesh mesh;
@@ -170,7 +170,8 @@ static void poles(int count, Mesh* mesh) {
     free(face);
 }
 
-/// Time linear in the edges: quadratic, 200,000 around one vertex take minutes, and end the program.
+/// Time is linear in the edges: quadratic time for 200,000 around one vertex would exceed the
+/// limit.
 static void a_vertex_may_have_any_number_of_edges(void** state) {
     (void)state;
     enum { COUNT = 200000 };
@@ -192,8 +193,8 @@ static void a_vertex_may_have_any_number_of_edges(void** state) {
     setrlimit(RLIMIT_CPU, &before);
 }
 
-/// The paths are the pairs of edges at a vertex: of them are flexion springs, shear springs, and the
-/// third sides of triangles.
+/// The paths are the pairs of edges at a vertex: of them are flexion springs, shear springs, and
+/// the third sides of triangles.
 static void paths_bound_the_flexion_springs(void** state) {
     (void)state;
     static const char* const names[] = {"torus:8x6", "cube-sphere:4", "icosphere:2", "grid:5x3"};

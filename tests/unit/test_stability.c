@@ -1,4 +1,4 @@
-/// Where every method fails, measured: at its theoretical limit, and never below the bound.
+/// The measured limit of every method: equal to the theoretical limit, and never below the bound.
 #include "worlds.h"
 
 #include "lab/stability/trial.h"
@@ -61,7 +61,7 @@ static void methods_fail_where_theory_says(void** state) {
 static void no_step_below_the_bound_is_unstable(void** state) {
     (void)state;
     if (sizeof(real) == sizeof(float))
-        skip(); // what is given is not told from the rounding of a gas's energy
+        skip(); // the perturbation's energy is below the rounding of a gas's energy
 #define SET(key) "balloons.0." key
     static const char* const springs[] = {SET("skin.springs.law=hooke"),
                                           SET("skin.springs.law=rubber"),
@@ -71,11 +71,11 @@ static void no_step_below_the_bound_is_unstable(void** state) {
         SET("skin.membrane.material=stvk"), SET("skin.membrane.material=stvk-3d")};
     static const char* const blown[] = {
         SET("inflation={law: pressure, amount: 0}"),
-        SET("inflation={law: pressure, amount: 20}"), // a sixth of what springs bear
+        SET("inflation={law: pressure, amount: 20}"), // a sixth of the maximum for these springs
         SET("inflation={law: gas, amount: 1, ambient: 1000}"),
         SET("inflation={law: gas, amount: 2, ambient: 1000}"),
         SET("inflation={law: gas, amount: 5, ambient: 1000}"),
-        SET("inflation={law: pressure, amount: 900}"), // of the 1239 that rubber bears
+        SET("inflation={law: pressure, amount: 900}"), // the maximum for rubber is 1239
         SET("inflation={law: gas, amount: 2}"),
         SET("inflation={law: gas, amount: 5}"),
     };
@@ -83,7 +83,7 @@ static void no_step_below_the_bound_is_unstable(void** state) {
     for (int m = 0; m < method_count; m++)
         for (int k = 0; k < 3 * 5 + 4 * 8; k++) {
             if (method_table[m]->implicit)
-                continue; // any step: there is no bound
+                continue; // every step is stable: no bound
             const bool paper = k < 3 * 5;
             const char* skin = paper ? springs[k / 5] : rubber[(k - 15) / 8];
             const char* fill = paper ? blown[k % 5] : blown[(k - 15) % 8];
@@ -91,7 +91,8 @@ static void no_step_below_the_bound_is_unstable(void** state) {
             OPEN(&trial, method_table[m], paper ? "limit-springs" : "limit-rubber", skin, fill,
                  paper ? "balloons.0.model=cube-sphere:3" : "balloons.0.model=icosphere:1");
             const double bound = trial_bound(&trial);
-            // stvk-3d's thickness follows after each step: a law that has no energy, and may wobble
+            // stvk-3d's thickness changes after each step: the law has no energy, and growth may be
+            // marginal
             const Verdict most = strstr(skin, "stvk-3d") ? VERDICT_MARGINAL : VERDICT_STABLE;
             double growth;
             if (isfinite(bound) && bound > 0 && trial_run(&trial, bound, &growth) > most)

@@ -1,4 +1,4 @@
-/// What the status box says of the world.
+/// The text of the status box.
 #include "studio.h"
 #include "view/status.h"
 
@@ -9,8 +9,8 @@ static const char* row(const Overlay* overlay, const char* label) {
     return NULL;
 }
 
-/// What a balloon does not have is not shown on it: it stays plain rubber, the key passes the mode
-/// by, and the status box says so where the mode was asked for.
+/// A mode whose quantity no balloon has is not shown: balloons stay plain, the key skips the mode,
+/// and the status box says so if the mode was requested.
 static void a_mode_of_rubber_passes_springs_by(void** state) {
     (void)state;
     Studio studio;
@@ -86,7 +86,7 @@ static void balls_are_counted_and_a_pass_through_is_said(void** state) {
     assert_true(overlay.alarm);
     assert_non_null(strstr(overlay.message, "pass-throughs 2"));
 
-    // what the user has just asked for is read first
+    // the answer to a user's request is the first line
     status.message = "quads";
     status_fill(&overlay, &studio.world, &studio.picture, &status);
     assert_string_equal(overlay.message, "quads");

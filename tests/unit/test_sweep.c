@@ -1,4 +1,4 @@
-/// The one pass over neighborhoods: what is in its slots, and what it finds against plain loops.
+/// The fused pass over slices: the contents of the slots, and its sums compared with plain loops.
 #include "base/cpu.h"
 #include "bodies.h"
 #include "body/extent.h"
@@ -20,7 +20,7 @@ static void springs_on(const char* name, Mesh* mesh, Body* body, SpringLaw law) 
     shake(body, 0.05);
 }
 
-/// Each spring is in two slots, as its two ends see it, and no other slot pulls.
+/// Each spring is in two slots, one for each end; all other slots have stiffness 0.
 static void each_spring_is_in_two_slots(void** state) {
     (void)state;
     for (int n = 0; n < SKINS; n++) {
@@ -69,7 +69,7 @@ static void pulls_are_those_of_the_springs(void** state) {
         Mesh mesh;
         Body body;
         springs_on(skins[n / 2], &mesh, &body, n % 2 ? LAW_RUBBER : LAW_HOOKE);
-        for (int s = 0; s < body.springs.count; s += 5) // as Tarantino's correction has it
+        for (int s = 0; s < body.springs.count; s += 5) // as set by Tarantino's correction
             body_set_stiffness(&body, s, 0);
         double4* want = new_array(double4, body.count);
         plain_forces(&body, want);
@@ -121,7 +121,7 @@ static void rings_measure_what_faces_do(void** state) {
     }
 }
 
-/// What one compilation of the kernels makes of a body: forces, velocities, sums.
+/// Results of one compilation of the kernels for a body: forces, velocities, sums.
 static SweepSums one_step(const Kernels* with, Body* body, unsigned flags) {
     const Uniform uniform = {
         .acceleration = {0, (real)-9.8, 0, 0}, .pressure = 3, .drag = 0.02, .rate = 0.7};
@@ -178,7 +178,7 @@ static void all_compilations_give_the_same_bits(void** state) {
 #endif
 }
 
-/// The box of any count, and all of space where something is not a number.
+/// The bounding box for any count; all of space if a position is NaN.
 static void extents_hold_all_and_see_what_is_no_number(void** state) {
     (void)state;
     enum { MOST = 13 };

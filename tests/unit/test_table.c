@@ -1,4 +1,4 @@
-/// Tables by name, lists of names, and arrays that grow.
+/// Rows by name, lists of names, and growing arrays.
 #include "base/array.h"
 #include "base/table.h"
 #include "law.h"

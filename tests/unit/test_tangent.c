@@ -1,8 +1,8 @@
-/// Every row of the force table: its product against differences of its force, and projected.
+/// Every row of the force table: its tangent against differences of its force, and its projection.
 #include "everything.h"
 #include "force/tangent.h"
 
-/// `area` inflation at its frozen pressure, as its product has it.
+/// `area` inflation at the constant pressure that its tangent assumes.
 static void force_at(const Force* force, Body* body, double frozen) {
     memset(body->f, 0, (size_t)body->count * sizeof *body->f);
     if (force == &force_inflation && body->inflation.law == INFLATE_AREA) {
@@ -117,7 +117,7 @@ static void projected_tangent_is_positive(void** state) {
         Body body;
         everything(&mesh, &body, LAW_RUBBER, INFLATE_AREA, material_table[m]);
         for (int i = 0; i < body.count; i++)
-            body.x[i] *= (real)0.7; // pressed
+            body.x[i] *= (real)0.7; // compressed
         real4 *d = new_array(real4, body.count), *out = new_array(real4, body.count);
         Tangent tangent;
         tangent_open(&tangent, &body);
@@ -144,7 +144,7 @@ static void projected_tangent_is_positive(void** state) {
                     else
                         negative = negative || sum < -1e-6 * size;
                 }
-        assert_true(negative); // or there was nothing to project
+        assert_true(negative); // else projection was not tested
         tangent_close(&tangent);
         free(d);
         free(out);

@@ -1,6 +1,5 @@
-/// The closed forms of the spherical balloon at rest, against values that separate programs
-/// computed and against the laws they must keep. Golden numbers are given to the digits they were
-/// derived to.
+/// The closed forms of the spherical balloon at rest, against values computed by separate programs
+/// and against physical laws. Golden numbers have the digits to which they were derived to.
 #include "truths.h"
 
 /// Standard E, h0 and R0: mu h0/R0 [Pa].
@@ -99,7 +98,7 @@ static void laws_of_springs_stand_off_rubber_as_computed(void** state) {
     for (int i = 0; i < 3; i++)
         assert_near(truth_pressure(&hooke, l[i]) / truth_pressure(&rubber, l[i]) - 1, off[i],
                     last(2));
-    // what rubber's law would be in compression, had it not Hooke's there
+    // the ratio of rubber's law itself, which is replaced by Hooke's in compression
     const double steep = rubber.law->tangent(&rubber, 0.8) / rubber.law->tangent(&rubber, 1);
     assert_near(steep, 3.3, last(1));
     const TruthBalloon springs = balloon_of("rubber");
@@ -108,7 +107,8 @@ static void laws_of_springs_stand_off_rubber_as_computed(void** state) {
 
 static void stvk_starts_too_soft_and_becomes_too_stiff(void** state) {
     (void)state;
-    // slope h0/R0 W'' at l = 1 over mu h0/R0, mu = E/(2 (1+nu)): 4 as the paper reads it, 12 of rubber
+    // slope h0/R0 W'' at l = 1 over mu h0/R0, mu = E/(2 (1+nu)): 4 as the paper reads it, 12 of
+    // rubber
     const TruthBalloon paper = balloon_of("stvk-3d"), rubber = truth_balloon_default();
     const double mu = paper.modulus / (2 * (1 + paper.poisson));
     assert_close(paper.law->tangent(&paper, 1) / mu, 4.0, 1e-12);
@@ -135,7 +135,7 @@ static void closed_gas_rests_where_computed(void** state) {
         assert_near(l * l * l, row[i].volume, last(8));
         assert_near(truth_pressure(&b, l), row[i].pressure, last(6));
     }
-    assert_near(2 / pow(truth_stretch_gas(&b, 2), 3) - 1, 0.012, last(3)); // V = N V0 alone
+    assert_near(2 / pow(truth_stretch_gas(&b, 2), 3) - 1, 0.012, last(3)); // V = N V0
     assert_near(truth_stretch_gas(&b, 1), 1, 1e-15);
 }
 
@@ -155,7 +155,8 @@ static void constant_pressure_finds_the_stable_branch(void** state) {
         assert_close(truth_pressure(&other, stretch), 1000.0, 1e-12);
         assert_less(1000, truth_pressure(&other, stretch + 1e-3));
     }
-    const TruthBalloon stiff = balloon_of("stvk"); // far past where a peak is looked for
+    const TruthBalloon stiff =
+        balloon_of("stvk"); // far above the range in which a maximum is searched
     assert_close(truth_stretch_pressure(&stiff, truth_pressure(&stiff, 50)), 50.0, 1e-12);
 }
 
@@ -164,7 +165,7 @@ static void breathing_has_the_computed_frequencies(void** state) {
     const TruthBalloon b = truth_balloon_default();
     assert_near(truth_breath_pressure(&b, 1), 632.455532, last(6));
     assert_near(truth_breath_pressure(&b, 1.2), 299.364420, last(6));
-    // it takes ever longer towards the peak, and past it nothing swings back
+    // the period grows without limit toward the maximum; beyond it there is no oscillation
     const double peak = pow(7, 1.0 / 6);
     assert_less(truth_breath_pressure(&b, peak - 1e-9), 0.1);
     assert_true(isnan(truth_breath_pressure(&b, peak + 1e-6)));

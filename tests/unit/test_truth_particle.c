@@ -1,5 +1,6 @@
-/// The closed forms of particles, sheets of springs and two sewn discs, and the limits of the methods,
-/// against values that separate programs computed and against what the methods do on two numbers.
+/// The closed forms of particles, sheets of springs and two sewn discs, and the limits of the
+/// methods, against values computed by separate programs and against the methods' steps of one
+/// oscillator.
 #include "truths.h"
 
 #include "solve/method.h"
@@ -26,7 +27,7 @@ static void damped_spring_is_where_computed(void** state) {
     const double w2 = 50 / 1e-3, gamma = 0.02 / 1e-3, t = 0.05;
     const double x = spring(t);
     assert_near(x, 7.80094746935e-4, last(15));
-    // the errors of `euler` to expect of a run
+    // the expected errors of a run by `euler`
     const double want[] = {1.0122e-4, 5.0279e-5, 2.5056e-5}, digit[] = {1e-8, 1e-9, 1e-9};
     for (int k = 0; k < 3; k++) {
         double v = 0;
@@ -147,7 +148,7 @@ static double growth(bool forward, double w2, double gamma, double h) {
     return forward ? spectral_radius(1, h, c, d) : spectral_radius(1 + h * c, h * d, c, d);
 }
 
-/// Where the fastest mode or rigid motion begins to grow, by bisection.
+/// The step at which the fastest mode or rigid motion begins to grow, by bisection.
 static double measured_limit(bool forward, double w2, double gamma) {
     double low = 0, high = 1;
     for (int i = 0; i < 60; i++) {

@@ -1,5 +1,5 @@
-/// The spherical balloon in motion, against values that separate programs computed, against its
-/// energy and its breathing. Golden numbers are given to the digits they were derived to.
+/// The spherical balloon in motion, against values computed by separate programs, against its
+/// energy and its breathing. Golden numbers have the digits to which they were derived.
 #include "truths.h"
 
 /// A small swing is at its rest after a quarter, at its far side after a half of its period.
@@ -51,7 +51,7 @@ static void a_large_step_of_pressure_runs_away(void** state) {
     const double limit = 1112.130006, furthest = 1.73166;
     assert_less(2, truth_sudden(&b, limit + 1, 0.05).l);
     assert_true(isinf(truth_sudden(&b, 5000, 1).l));
-    // just below the limit it lingers at its furthest stretch, but is never taken for run away
+    // just below the limit it stays long near its largest stretch, and is not taken for unbounded
     for (double t = 0.01; t < 1; t *= 2) {
         assert_less(truth_sudden(&b, limit - 1, t).l, furthest);
         assert_less(truth_sudden(&b, limit - 0.13, t).l, furthest);
@@ -64,11 +64,11 @@ static void slow_filling_moves_the_skin_as_computed(void** state) {
     assert_near(truth_filling(&b, 0.5, 0.01, 50, 0.01).l, 1.1377342335, last(10));
     assert_near(truth_filling(&b, 0.5, 0.01, 50, 0.02).l, 1.1444731146, last(10));
     assert_near(truth_filling(&b, 0.5, 0.01, 50, 0).l, 1, 0);
-    // damping brings it to where the gas rests: e^(-25 * 1.5) is 5e-17
+    // damping brings it to rest with its gas: e^(-25 * 1.5) is 5e-17
     assert_close(truth_filling(&b, 0.5, 0.01, 50, 1.5).l, truth_stretch_gas(&b, 1.5), 1e-10);
 }
 
-/// What `euler` makes of the same motion: the errors to expect of a run, of order 1.
+/// The same motion by `euler`: the expected errors of a run, of order 1.
 static void euler_errors_of_the_sudden_pressure(void** state) {
     (void)state;
     const double want[] = {1.93e-2, 8.43e-3, 3.88e-3, 1.85e-3, 9.0e-4};

@@ -1,5 +1,5 @@
-/// Every verb with none of its options and with each alone: it ends by itself or, where it measures
-/// for minutes, by our interrupt; never by a fault of memory, an assertion or a hang.
+/// Every verb without options and with each one alone: it ends by itself or, if it measures for
+/// minutes, after an interrupt; never by a memory error, a failed assertion or a hang.
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -20,17 +20,17 @@
 #include "cli/verb.h"
 
 enum {
-    PATIENCE = 15,      ///< [10 ms] that a verb gets before it is interrupted
-    FORBEARANCE = 2000, ///< [10 ms] that an interrupted one may take to end
+    PATIENCE = 15,      ///< time until a verb is interrupted [10 ms]
+    FORBEARANCE = 2000, ///< maximum time for an interrupted one to end [10 ms]
 };
 
 static char scratch[] = "/tmp/test_verbs-XXXXXX", program[600];
 
-/// A scene of a few steps, so that no option has to shorten it.
+/// A scene of a few steps, short without any option.
 static const char scene[] = "step: 0.001\nseconds: 0.05\nballoons: [{model: cube-sphere:2, skin: "
                             "{springs: {structural: 50}}, mass: {per_particle: 0.001}}]\n";
 
-/// What each verb works on; none where the table says that it takes nothing.
+/// The argument of each verb; none if the table says that the verb has no argument.
 static const char* target_of(const Verb* verb) {
     static const struct Target {
         const char *verb, *target;
@@ -114,7 +114,7 @@ static bool ends(pid_t process, int hundredths, int* status) {
     return false;
 }
 
-/// Run it, and judge how it ends.
+/// Run the command and check how it ends.
 static int count_bad_end(const char* verb, const char* target, const char* option,
                          const char* value) {
     const char* arguments[6] = {"balloon", verb};
@@ -191,7 +191,7 @@ static void bits_of_verbs_are_their_own(void** state) {
     assert_int_equal(all, VERBS_ALL);
 }
 
-/// Standard output on a full disk: what was asked for is lost, and the status says so.
+/// Standard output on a full disk: the results are lost, and the exit status is not 0.
 static void results_that_are_lost_are_a_fault(void** state) {
     (void)state;
     static const char* const line_table[] = {

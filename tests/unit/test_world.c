@@ -1,9 +1,9 @@
-/// The world: same input, same bits; keys; guard; what is and is not there.
+/// The world: same input, same bits; keys; guard; absent things.
 #include "worlds.h"
 
 #include "world/command.h"
 
-/// Which skins a method takes, and that it says so of the others.
+/// Each method accepts a skin or refuses it with a sentence.
 static void methods_refuse_what_they_do_not_take(void** state) {
     (void)state;
     static const char* const skin[] = {
@@ -196,7 +196,7 @@ static void events_may_set_numbers(void** state) {
     world_close(&world);
 }
 
-/// A step that the guard splits gives the bits of as many smaller steps.
+/// A step that the guard splits gives the same bits as smaller steps of that number.
 static void split_steps_are_smaller_steps(void** state) {
     (void)state;
     const char* still = "balloons.0.inflation={law: area, amount: 1}";
@@ -230,7 +230,7 @@ static void stop_refuses_a_step_above_the_bound(void** state) {
     world_close(&world);
 }
 
-/// Of `forward` no step is stable without damping, and with it few are.
+/// No step of `forward` is stable without damping, and with damping only small ones are.
 static void no_split_makes_up_for_what_is_never_stable(void** state) {
     (void)state;
     World world;
@@ -288,13 +288,13 @@ static void total_energy_stays(void** state) {
     const double kinetic = probe(&world, "balloon0.kinetic");
     run_for(&world, 0.5);
     assert_true(kinetic > 1e-3);
-    // the method's energy swings by w h / 2 of the energy in motion, w below 2e3
+    // the energy by this method oscillates by w h / 2 of the kinetic energy, w below 2e3
     assert_near(probe(&world, "balloon0.total_energy"), before,
                 0.1 * fmax(kinetic, probe(&world, "balloon0.kinetic")));
     world_close(&world);
 }
 
-/// At rest the string bears the lift less the weight.
+/// At rest the string's tension is the lift minus the weight.
 static void tether_bears_the_lift(void** state) {
     (void)state;
     World world;
@@ -307,7 +307,8 @@ static void tether_bears_the_lift(void** state) {
     world_close(&world);
 }
 
-/// From outside and from inside, wherever its center is: it touches then, and passes nothing.
+/// A ball that begins overlapping the skin, from outside or inside: it ends touching, and is not
+/// counted as passed through.
 static void a_ball_across_a_skin_is_moved_away(void** state) {
     (void)state;
     static const double start[] = {0.26, 0.24, 0.21, 0.2, 0.19, 0.16, 0.1};

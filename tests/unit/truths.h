@@ -1,4 +1,4 @@
-/// What the tests of closed forms share.
+/// Common to the tests of closed forms.
 #ifndef BALLOON_TESTS_TRUTHS_H
 #define BALLOON_TESTS_TRUTHS_H
 

@@ -61,7 +61,7 @@ static inline bool is_finite(const World* world) {
     return true;
 }
 
-/// Every shipped scene by its path; how many there are.
+/// The paths of all shipped scenes; returns their number.
 static inline int each_scene(void (*visit)(const char* path)) {
     char** path;
     const int count = scene_list(&path);

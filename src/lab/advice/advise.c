@@ -44,8 +44,8 @@ double advise_promise(const Advice* advice, const AdvicePoint* point) {
     return ADVISE_MARGIN * point->error + advice->floor;
 }
 
-/// Promised errors up to this times the smallest within a budget count as equally good, because such
-/// points may be much cheaper. [1]
+/// Promised errors up to this times the smallest within a budget count as equally good, because
+/// such points may be much cheaper. [1]
 static const double equally_good = 1.1;
 
 const AdvicePoint* advise_pick(const Advice* advice, double error, double ms,
@@ -71,7 +71,8 @@ const AdvicePoint* advise_pick(const Advice* advice, double error, double ms,
     return found;
 }
 
-/// Whether another point is at least as cheap and as accurate; of two equal points the first remains.
+/// Whether another point is at least as cheap and as accurate; of two equal points the first
+/// remains.
 static bool is_dominated(const Advice* advice, const AdvicePoint* point) {
     for (int k = 0; k < advice->count; k++) {
         const AdvicePoint* other = &advice->point[k];

@@ -1,26 +1,28 @@
 /// `balloon advise SCENE`: the cheapest setting for a maximum error, or the most accurate one for a
 /// maximum cost, chosen from runs that are measured on this machine.
 ///
-/// A point is one method x refinement x step x precision on the scene, with `guard: split`, run by the
-/// program itself:
+/// A point is one method x refinement x step x precision on the scene, with `guard: split`, run by
+/// the program itself:
 ///
 ///     error   max over the outputs of |value - reference| / |reference|                      [1]
 ///     cost    CPU time of stepping for a frame of 1/60 s, minimum over the runs              [ms]
 ///     promise ADVISE_MARGIN error + floor                                                    [1]
 ///
-/// The errors of step and mesh can cancel at one point by chance. So each of the two is estimated alone
-/// from neighboring points, and a point's error is at least the larger estimate (advise_cancel.c).
+/// The errors of step and mesh can cancel at one point by chance. So each of the two is estimated
+/// alone from neighboring points, and a point's error is at least the larger estimate
+/// (advise_cancel.c).
 ///
-/// The reference is extrapolated from runs by the scene's own method: from two steps to step 0 by order
-/// 1, and from two refinements to edge length 0 by order 2. The floor is a tenth of the distance between
-/// the finest run and the reference, at least 1e-4.
+/// The reference is extrapolated from runs by the scene's own method: from two steps to step 0 by
+/// order 1, and from two refinements to edge length 0 by order 2. The floor is a tenth of the
+/// distance between the finest run and the reference, at least 1e-4.
 ///
-/// Measured steps are 1/60 s and its halves, beginning with the first that the guard does not split, and
-/// ending where the error no longer falls or a frame costs 25 ms; a run that must exceed this cost is
-/// ended. After ADVISE_SECONDS_MAX the measurement ends with the points that it has.
+/// Measured steps are 1/60 s and its halves, beginning with the first that the guard does not
+/// split, and ending where the error no longer falls or a frame costs 25 ms; a run that must exceed
+/// this cost is ended. After ADVISE_SECONDS_MAX the measurement ends with the points that it has.
 ///
-/// Points are cached (XDG_CACHE_HOME or ~/.cache). They are valid for every scene with the same text in
-/// which each number differs by at most a fifth, on the same machine and for the same build.
+/// Points are cached (XDG_CACHE_HOME or ~/.cache). They are valid for every scene with the same
+/// text in which each number differs by at most a fifth, on the same machine and for the same
+/// build.
 #ifndef BALLOON_LAB_ADVICE_ADVISE_H
 #define BALLOON_LAB_ADVICE_ADVISE_H
 
@@ -104,8 +106,8 @@ bool advise_auto(const AdviseOptions* options, Overrides* sets, Fault* fault);
 bool advise_measure(const char* scene, const SceneSet* set, int set_count, Advice* advice,
                     Fault* fault);
 
-/// Read the advice of a scene with so many outputs from the cache. False if the cache has none: a file
-/// is ignored if it is damaged, comes from another machine or program, or has values that no
+/// Read the advice of a scene with so many outputs from the cache. False if the cache has none: a
+/// file is ignored if it is damaged, comes from another machine or program, or has values that no
 /// measurement gives. text: the scene with all its keys (scene_text).
 bool advise_cache_read(const char* text, int outputs, Advice* advice);
 

@@ -14,8 +14,8 @@
 
 enum { MAX_NUMBERS = 1000, MAX_POINTS = 10000, MAX_FILE_BYTES = 1 << 21 };
 
-/// Maximum relative difference of two numbers for the advice of one scene to be valid for the other.
-/// [1]
+/// Maximum relative difference of two numbers for the advice of one scene to be valid for the
+/// other. [1]
 static const double number_tolerance = 0.2;
 
 /// What is compared of a scene: a hash of its text without the numbers, and the numbers.
@@ -64,7 +64,8 @@ static bool make_folders(const char* folder) {
     }
 }
 
-/// The first line: the machine, and size and time of the measured program, which change with each build.
+/// The first line: the machine, and size and time of the measured program, which change with each
+/// build.
 static void write_title(char* line, size_t size) {
     char program[512];
     struct stat status = {0};
@@ -202,7 +203,8 @@ static char* text_of(const Likeness* likeness, const Advice* advice) {
     return text;
 }
 
-/// Write a temporary file beside the file, then rename it, so that other processes never read a part.
+/// Write a temporary file beside the file, then rename it, so that other processes never read a
+/// part.
 static bool replace_file(const char* file, const char* text) {
     char beside[540];
     snprintf(beside, sizeof beside, "%s.%ld", file, (long)getpid());

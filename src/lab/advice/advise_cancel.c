@@ -17,9 +17,9 @@ static double difference(const Study* study, const double value[], const double 
     return max;
 }
 
-/// A point with the method and precision of point k that reached its end: if `finer`, one refinement
-/// finer with the same step, else at the same refinement with the nearest shorter (side < 0) or longer
-/// step. NONE: there is no such point.
+/// A point with the method and precision of point k that reached its end: if `finer`, one
+/// refinement finer with the same step, else at the same refinement with the nearest shorter (side
+/// < 0) or longer step. NONE: there is no such point.
 static int neighbor(const Study* study, int k, int finer, int side) {
     const AdvicePoint* point = study->advice->point;
     int best = NONE;
@@ -38,9 +38,9 @@ static int neighbor(const Study* study, int k, int finer, int side) {
     return best;
 }
 
-/// The errors of step and mesh can cancel at one point by chance, so each is also estimated alone, and
-/// the largest of the three counts. An error e of order 1 in the step changes by e (1 - h'/h) from a
-/// step h to h'; one of order 2 in the mesh changes by 3/4 e to the next finer mesh.
+/// The errors of step and mesh can cancel at one point by chance, so each is also estimated alone,
+/// and the largest of the three counts. An error e of order 1 in the step changes by e (1 - h'/h)
+/// from a step h to h'; one of order 2 in the mesh changes by 3/4 e to the next finer mesh.
 static double estimated_error(const Study* study, int k) {
     const AdvicePoint* point = study->advice->point;
     const int shorter = neighbor(study, k, 0, -1), longer = neighbor(study, k, 0, 1);

@@ -12,8 +12,8 @@ enum { COARSEST = -3, FINEST = 2, HALVINGS = 12, RETIMES = 2 };
 static const int max_points = 12000;
 /// Maximum error that may be due to rounding of floats: above it double is not tried. [1]
 static const double max_rounding = 2e-3;
-/// If a step's error is within this factor of the best one, shorter steps gain nothing. A larger error
-/// does not end the search: in a moving scene single steps can be worse. [1]
+/// If a step's error is within this factor of the best one, shorter steps gain nothing. A larger
+/// error does not end the search: in a moving scene single steps can be worse. [1]
 static const double progress = 0.8;
 /// Minimum simulated time of a run: shorter ones measure the clock's resolution and cold caches. A
 /// longer run is preceded by a short run of this length. [s]
@@ -73,7 +73,8 @@ static double error_of(const Study* study, const double value[]) {
     return max;
 }
 
-/// Try the first part of a long run: dropped if it costs far more than ADVISE_COST_MAX or was ended.
+/// Try the first part of a long run: dropped if it costs far more than ADVISE_COST_MAX or was
+/// ended.
 static bool is_dropped(const Study* study, Line* line, const AdvicePoint* point, bool* dropped,
                        Fault* fault) {
     Report report;
@@ -142,8 +143,8 @@ static bool measure_step(Study* study, Line* line, Fault* fault) {
     return true;
 }
 
-/// Four times as many points cost at least four times as much: a line is not begun if its method was
-/// too slow for that at the next coarser refinement.
+/// Four times as many points cost at least four times as much: a line is not begun if its method
+/// was too slow for that at the next coarser refinement.
 static bool is_too_slow(const Study* study, const Line* line) {
     for (int k = 0; k < study->lines; k++) {
         const Line* other = &study->line[k];

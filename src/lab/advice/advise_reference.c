@@ -28,8 +28,9 @@ static double own_step(const Study* study) {
     return fmin(study->world.step, 1 / ADVISE_FPS);
 }
 
-/// The values extrapolated to step 0 at a refinement, 2 v(h/2) - v(h), by the scene's own method; NAN
-/// if the time did not suffice. A first run shows into how many substeps the guard divides the step.
+/// The values extrapolated to step 0 at a refinement, 2 v(h/2) - v(h), by the scene's own method;
+/// NAN if the time did not suffice. A first run shows into how many substeps the guard divides the
+/// step.
 static bool extrapolate_step(const Study* study, int refinement, double value[], Fault* fault) {
     Report report;
     double step = own_step(study), coarse[ADVISE_OUTPUTS];

@@ -42,9 +42,9 @@ typedef struct Study {
 /// Remaining time [s] until this share of ADVISE_SECONDS_MAX has passed; 0 after that.
 double study_time_remaining(const Study* study, double share);
 
-/// Run the scene with the settings of a point for `seconds` of simulated time. value: the outputs, NAN
-/// if the run did not reach an output's time. The run is ended after cpu_max of CPU time [s], 0: the
-/// launch's default, or wall_max of wall time [s]; then the report's `ms` is NAN.
+/// Run the scene with the settings of a point for `seconds` of simulated time. value: the outputs,
+/// NAN if the run did not reach an output's time. The run is ended after cpu_max of CPU time [s],
+/// 0: the launch's default, or wall_max of wall time [s]; then the report's `ms` is NAN.
 bool study_run(const Study* study, const AdvicePoint* point, double seconds, double cpu_max,
                double wall_max, double value[], Report* report, Fault* fault);
 

@@ -112,7 +112,8 @@ static bool run_all(Needs* needs, Fault* fault) {
 
 // --- the verdict ---------------------------------------------------------------------------------
 
-/// Whether the part was simplified: a doubled step was not if the guard made twice as many substeps.
+/// Whether the part was simplified: a doubled step was not if the guard made twice as many
+/// substeps.
 static bool is_simpler(const Need* need, const Need* complete) {
     return strcmp(need->part.name, "step") != 0 || need->substeps < 2 * complete->substeps;
 }

@@ -55,8 +55,8 @@ static void membrane(const World* world, Overrides* sets) {
 
 // --- the gas -------------------------------------------------------------------------------------
 
-/// A constant pressure: that of the law at the initial size. A gas in air is left as it is, because a
-/// constant amount / V0 would include the atmosphere.
+/// A constant pressure: that of the law at the initial size. A gas in air is left as it is, because
+/// a constant amount / V0 would include the atmosphere.
 static void law(const World* world, Overrides* sets) {
     for (unsigned b = 0; b < world->def.balloons_count; b++) {
         const InflationDef* def = world->def.balloons[b].inflation;
@@ -137,7 +137,8 @@ static NeedsPart part_without(const char* path, const char* name, const char* pa
     return part;
 }
 
-/// One part for each force with parameters, and one for each parameter of a force that can have several.
+/// One part for each force with parameters, and one for each parameter of a force that can have
+/// several.
 static bool part_of_force(int index, NeedsPart* part) {
     for (int k = 0; k < force_count; k++) {
         const Force* force = force_table[k];

@@ -1,5 +1,5 @@
-/// The parts of a model: a table, each row with the overrides that remove it from a scene or replace it
-/// by a simpler model, in all balloons at once.
+/// The parts of a model: a table, each row with the overrides that remove it from a scene or
+/// replace it by a simpler model, in all balloons at once.
 #ifndef BALLOON_LAB_ADVICE_NEEDS_PART_H
 #define BALLOON_LAB_ADVICE_NEEDS_PART_H
 
@@ -14,7 +14,8 @@ typedef struct NeedsPart {
     /// removed; "": use `simplify`.
     char key[64];
 
-    /// Add the overrides; none if the scene lacks this part. The world is open and at its first state.
+    /// Add the overrides; none if the scene lacks this part. The world is open and at its first
+    /// state.
     void (*simplify)(const World* world, Overrides* sets);
 
     bool several; ///< remove a value only if its mapping has another number that is not 0

@@ -1,4 +1,5 @@
-/// Benches, measurements without a verdict: a row for each `balloon bench CASE` (cli/bench_table.h).
+/// Benches, measurements without a verdict: a row for each `balloon bench CASE`
+/// (cli/bench_table.h).
 #ifndef BALLOON_LAB_BENCH_BENCH_H
 #define BALLOON_LAB_BENCH_BENCH_H
 

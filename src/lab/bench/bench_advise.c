@@ -1,6 +1,6 @@
-/// Accuracy of `balloon advise`: advice is requested, for an error or a cost, for scenes with a closed
-/// form whose parameters are 10 % above or below the measured ones; the promised error and cost are
-/// compared with the true error and the measured cost.
+/// Accuracy of `balloon advise`: advice is requested, for an error or a cost, for scenes with a
+/// closed form whose parameters are 10 % above or below the measured ones; the promised error and
+/// cost are compared with the true error and the measured cost.
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /// The cost of contacts: a balloon of some 20,000 triangles is inflated between heavy balls, which
-/// hardly move, so that each presses on the skin permanently. A ball weighs a thousand balloons; for
-/// the solver any ball much heavier than the patch it touches is equally hard. In the same run,
+/// hardly move, so that each presses on the skin permanently. A ball weighs a thousand balloons;
+/// for the solver any ball much heavier than the patch it touches is equally hard. In the same run,
 /// Bullet's own soft body is measured between the same balls. The case without a ball measures the
 /// cost of the floor.
 #include <math.h>
@@ -83,8 +83,9 @@ static bool open_case(int c, int side, World* world, Fault* fault) {
     return true;
 }
 
-/// The parts of world_step for one balloon, so that the time of contacts can be measured separately;
-/// this is why it calls the method's row and not system_kick. Returns the time of contacts [ms].
+/// The parts of world_step for one balloon, so that the time of contacts can be measured
+/// separately; this is why it calls the method's row and not system_kick. Returns the time of
+/// contacts [ms].
 static double timed_step(World* world) {
     Body* body = &world->balloon[0].body;
     double contacts = 0;

@@ -1,5 +1,5 @@
-/// A matrix of throws at a free balloon of radius 1: all combinations of speed, radius, mass and aim,
-/// on coarse and fine meshes, with long and short steps. No ball may pass through. Some of the
+/// A matrix of throws at a free balloon of radius 1: all combinations of speed, radius, mass and
+/// aim, on coarse and fine meshes, with long and short steps. No ball may pass through. Some of the
 /// throws are repeated with Bullet's own soft body and judged by the same CCD test.
 #include <math.h>
 #include <stdio.h>
@@ -39,8 +39,8 @@ typedef struct Sum {
     int peer_throws, peer_through;
 } Sum;
 
-/// Whether the path of the ball's center crosses a triangle in a step from `before` to `after`, each
-/// the skin's points followed by the ball's center.
+/// Whether the path of the ball's center crosses a triangle in a step from `before` to `after`,
+/// each the skin's points followed by the ball's center.
 static bool passes(const Mesh* mesh, const double4* before, const double4* after) {
     const int ball = mesh->point_count;
     for (int t = 0; t < mesh->triangle_count; t++) {

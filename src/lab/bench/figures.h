@@ -31,8 +31,8 @@ void figures_open(Figures* figures, const char* bench);
 /// Print the machine and the head of the table.
 void figures_head(const Figures* figures);
 
-/// Append a figure and print its line, with the ratio to the kept one. minimum, median, limit_share:
-/// as in Figure.
+/// Append a figure and print its line, with the ratio to the kept one. minimum, median,
+/// limit_share: as in Figure.
 void figures_add(Figures* figures, const char* name, int particles, const char* metric,
                  const char* unit, double minimum, double median, double limit_share);
 

@@ -1,14 +1,16 @@
-/// The guard's results at long steps: each shipped scene by each method at its own step and at 10 and
-/// 100 times that, with `guard: split`, for its whole length.
+/// The guard's results at long steps: each shipped scene by each method at its own step and at 10
+/// and 100 times that, with `guard: split`, for its whole length.
 ///
-/// A cell passes if the run ends and the last volume (area of an open balloon) of each balloon is within
-/// 10 volume_tolerance of the range of the reference's volumes in the second half of the scene. The
-/// reference is the scene by its own method at half its own step, in double. If the scene is at rest by
-/// then, the range is one volume; if it still oscillates, methods damp it differently and may rest
-/// outside, so the range is extended by its width on both sides. A cell may also stop or be refused with
-/// a sentence. It fails with exit status 0 and another volume. A run beyond its CPU time counts apart.
+/// A cell passes if the run ends and the last volume (area of an open balloon) of each balloon is
+/// within 10 volume_tolerance of the range of the reference's volumes in the second half of the
+/// scene. The reference is the scene by its own method at half its own step, in double. If the
+/// scene is at rest by then, the range is one volume; if it still oscillates, methods damp it
+/// differently and may rest outside, so the range is extended by its width on both sides. A cell
+/// may also stop or be refused with a sentence. It fails with exit status 0 and another volume. A
+/// run beyond its CPU time counts apart.
 ///
-/// The scenes of the museum of failures are not included: they fail on purpose, and the tests run them.
+/// The scenes of the museum of failures are not included: they fail on purpose, and the tests run
+/// them.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,8 +82,8 @@ static void add_run(const Table* table, Launch* launch, const GuardScene* scene,
     launch_add(launch, "--step=%.17g", step);
 }
 
-/// Distance of a value from the range of a column in the second half of the reference, extended by its
-/// width on both sides, relative to the column's largest number [1].
+/// Distance of a value from the range of a column in the second half of the reference, extended by
+/// its width on both sides, relative to the column's largest number [1].
 static double distance_from(const Report* reference, const char* column, double value) {
     double low = INFINITY, high = -INFINITY, size = 0;
     for (int r = 0; r < reference->rows; r++) {

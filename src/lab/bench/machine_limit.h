@@ -1,4 +1,5 @@
-/// The machine's memory bandwidth and arithmetic throughput, measured by loops that do nothing else.
+/// The machine's memory bandwidth and arithmetic throughput, measured by loops that do nothing
+/// else.
 #ifndef BALLOON_LAB_BENCH_MACHINE_LIMIT_H
 #define BALLOON_LAB_BENCH_MACHINE_LIMIT_H
 

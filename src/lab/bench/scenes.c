@@ -1,10 +1,10 @@
-/// Random scenes: shipped ones with one to three values drawn at random over their whole ranges, as a
-/// user might mistype them. Each runs for a short time within limits of CPU time and memory, and must
-/// end with finite numbers or with a sentence; not with exit status 0 and a number that is not finite,
-/// not by a signal, and not beyond its limits.
+/// Random scenes: shipped ones with one to three values drawn at random over their whole ranges, as
+/// a user might mistype them. Each runs for a short time within limits of CPU time and memory, and
+/// must end with finite numbers or with a sentence; not with exit status 0 and a number that is not
+/// finite, not by a signal, and not beyond its limits.
 ///
-/// Each seed gives one scene: `--only 17` runs it and prints its command line, `--only 0-499` runs a
-/// range of seeds.
+/// Each seed gives one scene: `--only 17` runs it and prints its command line, `--only 0-499` runs
+/// a range of seeds.
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,7 +22,8 @@ enum { SCENES = 10000, SCENES_QUICK = 32, BATCH = 64, PARALLEL = 2, KEYS_MAX = 3
 static const double seconds = 0.3; ///< simulated [s]
 static const double cpu_max = 2;   ///< of a run [s]
 
-/// Keys that are not drawn: they do not affect the motion, or, like `seconds`, are set for each run.
+/// Keys that are not drawn: they do not affect the motion, or, like `seconds`, are set for each
+/// run.
 static const char* const left_out[] = {"seconds", "camera", "about", "because",
                                        "fails",   "show",   "units", "precision"};
 

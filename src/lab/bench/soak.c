@@ -1,6 +1,7 @@
-/// A soak test with a user's input: random keys and throws for a simulated hour, applied to two copies
-/// of a scene; the input log is written. Both copies must reach the same state to the bit, no ball may
-/// pass through a skin, no scene may halt, and the memory of the process must not grow after ten minutes.
+/// A soak test with a user's input: random keys and throws for a simulated hour, applied to two
+/// copies of a scene; the input log is written. Both copies must reach the same state to the bit,
+/// no ball may pass through a skin, no scene may halt, and the memory of the process must not grow
+/// after ten minutes.
 #include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -102,8 +103,8 @@ static bool set_key(Soak* soak, bool down, Fault* fault) {
     return apply(soak, &event, fault);
 }
 
-/// Strain limits move particles without a force that the guard could bound: with them a fast ball can
-/// make a skin explode.
+/// Strain limits move particles without a force that the guard could bound: with them a fast ball
+/// can make a skin explode.
 static bool is_left_out(const Command* command) {
     return strcmp(command->name, "correction") == 0 || strcmp(command->name, "tarantino") == 0;
 }

@@ -162,7 +162,8 @@ static bool open_case(const SpeedCase* c, int side, World* world, Fault* fault) 
     return scene_load(c->scene, set, SETS, &def, fault) && world_open(world, &def, fault);
 }
 
-/// Wall time of single steps with two threads; the minimum excludes interruptions by other processes.
+/// Wall time of single steps with two threads; the minimum excludes interruptions by other
+/// processes.
 static void measure_threads(Figures* figures, const char* name, World* world) {
     double second[ROUNDS];
     crew_set(2);

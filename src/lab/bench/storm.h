@@ -1,6 +1,7 @@
 /// A soak test: random throws at a balloon on the floor that is inflated and deflated at random. A
-/// ball every half second, from a random direction above, at up to 200 m/s, of random radius, lighter
-/// or heavier than the balloon, at its center or past it. Every ten seconds all balls are removed.
+/// ball every half second, from a random direction above, at up to 200 m/s, of random radius,
+/// lighter or heavier than the balloon, at its center or past it. Every ten seconds all balls are
+/// removed.
 #ifndef BALLOON_LAB_BENCH_STORM_H
 #define BALLOON_LAB_BENCH_STORM_H
 
@@ -26,10 +27,10 @@ bool storm_open(Storm* storm, uint64_t seed, Fault* fault);
 /// The events that are due, then a step of the world.
 bool storm_step(Storm* storm, Fault* fault);
 
-/// Number of balls around which the winding number of the skin, its solid angle over 4 pi, differs from
-/// that at the throw. It checks the world's count of pass-throughs independently of contacts and CCD:
-/// the winding number around a point changes only when the skin crosses the point, even if the skin
-/// overlaps itself.
+/// Number of balls around which the winding number of the skin, its solid angle over 4 pi, differs
+/// from that at the throw. It checks the world's count of pass-throughs independently of contacts
+/// and CCD: the winding number around a point changes only when the skin crosses the point, even if
+/// the skin overlaps itself.
 int storm_astray(const Storm* storm);
 
 void storm_close(Storm* storm);

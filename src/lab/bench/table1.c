@@ -1,11 +1,11 @@
-/// The thin-shell paper's Table 1, reproduced with other models of similar shapes and sizes: skins of
-/// 0.3 mm, E = 1 MPa, nu = 0.45, steps of 1/60 s, the gas rises from one to two times its initial
-/// amount within 300 frames, p0 V0/V without the atmosphere. Once with the paper's effort, three
-/// Newton iterations with conjugate gradients to 1e-3, once with the step's equation solved to 1e-6.
-/// Source: the thin-shell balloon paper, Table 1, on one core of an i7 of 3.4 GHz.
+/// The thin-shell paper's Table 1, reproduced with other models of similar shapes and sizes: skins
+/// of 0.3 mm, E = 1 MPa, nu = 0.45, steps of 1/60 s, the gas rises from one to two times its
+/// initial amount within 300 frames, p0 V0/V without the atmosphere. Once with the paper's effort,
+/// three Newton iterations with conjugate gradients to 1e-3, once with the step's equation solved
+/// to 1e-6. Source: the thin-shell balloon paper, Table 1, on one core of an i7 of 3.4 GHz.
 ///
-/// Applying p0 suddenly at rest would buckle a skin with folds permanently. So the gas first rises from
-/// zero to its initial amount in the same number of frames, which are not counted.
+/// Applying p0 suddenly at rest would buckle a skin with folds permanently. So the gas first rises
+/// from zero to its initial amount in the same number of frames, which are not counted.
 #include <stdio.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
-/// Figure 7 of the thin-shell paper, measured: a teddy with skins of 0.3, 0.2 and 0.1 mm and the same
-/// gas, p0 V0/V without the atmosphere. The height of the ears above the crown of the head measures
-/// how far they have merged into it; volume and height are relative to the initial ones.
+/// Figure 7 of the thin-shell paper, measured: a teddy with skins of 0.3, 0.2 and 0.1 mm and the
+/// same gas, p0 V0/V without the atmosphere. The height of the ears above the crown of the head
+/// measures how far they have merged into it; volume and height are relative to the initial ones.
 #include <stdio.h>
 
 #include "lab/bench/bench.h"

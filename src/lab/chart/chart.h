@@ -5,10 +5,10 @@
 /// with the same physical parameters. It is a run of this program, which anyone can repeat. A first
 /// run, which also warms up, gives the error; the time is the median of three more.
 ///
-/// DIR holds chart.csv, a row for each point; front.csv, the Pareto front of each method on each skin
-/// and that of all points; chart.md, for each scene the cheapest method below 1 % error; and for each
-/// scene NAME.gp, from which gnuplot draws NAME.svg and NAME.png again. Everything but the times is
-/// reproducible to the last bit.
+/// DIR holds chart.csv, a row for each point; front.csv, the Pareto front of each method on each
+/// skin and that of all points; chart.md, for each scene the cheapest method below 1 % error; and
+/// for each scene NAME.gp, from which gnuplot draws NAME.svg and NAME.png again. Everything but the
+/// times is reproducible to the last bit.
 #ifndef BALLOON_LAB_CHART_CHART_H
 #define BALLOON_LAB_CHART_CHART_H
 

@@ -1,8 +1,8 @@
 /// The cases of a chart: a table of one row each.
 ///
-/// A case is a shipped scene with one or several skins; each skin is run at its resolutions by every
-/// method that accepts it. A measure is a function of the run's CSV, and is compared with a closed form
-/// of lab/truth/truth.h or with reference runs.
+/// A case is a shipped scene with one or several skins; each skin is run at its resolutions by
+/// every method that accepts it. A measure is a function of the run's CSV, and is compared with a
+/// closed form of lab/truth/truth.h or with reference runs.
 #ifndef BALLOON_LAB_CHART_CHART_CASE_H
 #define BALLOON_LAB_CHART_CHART_CASE_H
 
@@ -11,8 +11,8 @@
 /// The smallest chart that contains a resolution; larger charts contain it too.
 typedef enum ChartExtent { CHART_QUICK, CHART_FULL, CHART_ALL } ChartExtent;
 
-/// The methods that run a resolution. STABLE_UNDAMPED: those that have a stable step without damping,
-/// into which the guard can split.
+/// The methods that run a resolution. STABLE_UNDAMPED: those that have a stable step without
+/// damping, into which the guard can split.
 typedef enum ChartMethods { ANY, EXPLICIT, IMPLICIT, STABLE_UNDAMPED } ChartMethods;
 
 /// The precisions of a resolution.
@@ -48,20 +48,22 @@ typedef struct ChartMeasure {
     double (*value)(double at);
     double (*measured)(const Report* report, double at);
 
-    /// The true value; if it is 0, the measured value is the error, in `unit`. NULL: reference runs.
+    /// The true value; if it is 0, the measured value is the error, in `unit`. NULL: reference
+    /// runs.
     double (*truth)(const ChartSkin* skin, double at);
 } ChartMeasure;
 
-/// Reference runs of a case without a closed form. Two runs of one method, extrapolated to step 0 by
-/// 2 m(h/2) - m(h), give the truth; its distance from that of another method is the truth's error.
+/// Reference runs of a case without a closed form. Two runs of one method, extrapolated to step 0
+/// by 2 m(h/2) - m(h), give the truth; its distance from that of another method is the truth's
+/// error.
 typedef struct ChartReference {
     const char* model;
     const char* method[2];
     double step[2]; ///< h of each [s]
 } ChartReference;
 
-/// Bullet's own soft body on the case (lab/peer/peer_run.h). Its links are fitted so that the skin rests
-/// at `stretch` under `pressure`, or so that they imitate springs.
+/// Bullet's own soft body on the case (lab/peer/peer_run.h). Its links are fitted so that the skin
+/// rests at `stretch` under `pressure`, or so that they imitate springs.
 typedef struct ChartPeer {
     double spring; ///< stiffness of the imitated springs [N/m]; 0: fit stretch and pressure
     double (*pressure)(void);    ///< [Pa]; NULL: Bullet's default links, the stiffest

@@ -1,8 +1,9 @@
-/// Pressure against stretch, l = 1.1 to 3, for springs of both laws and membranes of every material.
-/// Each skin holds the amount of gas with which a neo-Hookean balloon rests at stretch l, and its gauge
-/// pressure at rest is measured. The truth for a membrane is the closed form of its own material at that
-/// amount; materials other than neo-Hookean are not in the front of all points. Springs approximate
-/// neo-Hookean rubber and are compared with it; Hooke's are fitted to it at l = 1.1.
+/// Pressure against stretch, l = 1.1 to 3, for springs of both laws and membranes of every
+/// material. Each skin holds the amount of gas with which a neo-Hookean balloon rests at stretch l,
+/// and its gauge pressure at rest is measured. The truth for a membrane is the closed form of its
+/// own material at that amount; materials other than neo-Hookean are not in the front of all
+/// points. Springs approximate neo-Hookean rubber and are compared with it; Hooke's are fitted to
+/// it at l = 1.1.
 #include "lab/chart/chart_sphere.h"
 
 static const double fit_stretch = 1.1; ///< l at which Hooke's springs are fitted [1]
@@ -12,8 +13,8 @@ static double hooke_sheet(void) {
     return rubber_sheet() * truth_springs_fitted(&rubber, fit_stretch).springs / rubber.springs;
 }
 
-/// Amount of gas with which rubber rests at stretch l, in amounts that fill the balloon unstretched:
-/// l^3 (1 + p/p_atm).
+/// Amount of gas with which rubber rests at stretch l, in amounts that fill the balloon
+/// unstretched: l^3 (1 + p/p_atm).
 static double amount_for(double l) {
     const TruthBalloon rubber = truth_balloon_default();
     return l * l * l * (1 + truth_pressure(&rubber, l) / rubber.ambient);

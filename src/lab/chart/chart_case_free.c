@@ -1,5 +1,5 @@
-/// Cases of invariance: results that must not depend on step and mesh, and motions that a free balloon
-/// must not begin.
+/// Cases of invariance: results that must not depend on step and mesh, and motions that a free
+/// balloon must not begin.
 #include "base/vec.h"
 #include "lab/chart/chart_sphere.h"
 

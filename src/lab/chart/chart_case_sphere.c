@@ -97,9 +97,9 @@ static void solve_three(const double m[3][3], const double b[3], double x[3]) {
     x[2] = determinant(m[0], m[1], b) / whole;
 }
 
-/// A damped oscillation about a constant, sampled every dt, satisfies y_(k+1) = p y_k + q y_(k-1) + r:
-/// least squares give p and q (Prony's method); their roots z = exp(s dt) give w = |s|, the undamped
-/// frequency.
+/// A damped oscillation about a constant, sampled every dt, satisfies y_(k+1) = p y_k + q y_(k-1) +
+/// r: least squares give p and q (Prony's method); their roots z = exp(s dt) give w = |s|, the
+/// undamped frequency.
 static double breathing(const Report* report, double at) {
     const double mean = last_stretch(report, at); // subtracted, so that squares do not cancel
     double a[3][3] = {{0}}, b[3] = {0}, x[3], dt = 0;

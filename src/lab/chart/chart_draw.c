@@ -16,7 +16,8 @@ static const double error_max = 10, error_min = 1e-2;
 /// Distance of failed runs below the upper edge of the picture, as a ratio. [1]
 static const double edge = 1.15;
 
-/// Okabe and Ito's colors, distinguishable for all kinds of color vision: the peer's, then the methods'.
+/// Okabe and Ito's colors, distinguishable for all kinds of color vision: the peer's, then the
+/// methods'.
 static const char* const color_table[] = {"#d55e00", "#0072b2", "#009e73", "#cc79a7",
                                           "#e69f00", "#56b4e9", "#000000"};
 enum { COLORS = sizeof color_table / sizeof *color_table };
@@ -63,7 +64,8 @@ static void error_range(const ChartPlan* plan, int from, int to, double* low, do
     *high = pow(10, ceil(log10(*high)));
 }
 
-/// Whether a line has stable points in this precision; precision NULL: whether it has failed points.
+/// Whether a line has stable points in this precision; precision NULL: whether it has failed
+/// points.
 static bool has_points(const ChartPlan* plan, int from, int p, const char* precision, double top) {
     for (int q = from; q < chart_end(plan, from); q++) {
         const ChartPoint* point = &plan->point[q];

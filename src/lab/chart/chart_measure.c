@@ -55,8 +55,8 @@ static void take_errors(ChartPlan* plan) {
     }
 }
 
-/// The times of one round, ms[k * TIMES + round]. It is a bug if a run ends in another state than the
-/// first run of the same point.
+/// The times of one round, ms[k * TIMES + round]. It is a bug if a run ends in another state than
+/// the first run of the same point.
 static bool take_times(const ChartPlan* plan, int round, double* ms, Fault* fault) {
     for (int k = 0; k < plan->launches; k++) {
         Report report;
@@ -72,8 +72,8 @@ static bool take_times(const ChartPlan* plan, int round, double* ms, Fault* faul
     return !fault->text[0];
 }
 
-/// Whether no other point of the same name (of_line: of the same line) dominates the point. Points of
-/// another law than the case's are not in the front of all points.
+/// Whether no other point of the same name (of_line: of the same line) dominates the point. Points
+/// of another law than the case's are not in the front of all points.
 static bool is_best(const ChartPlan* plan, const ChartPoint* point, bool of_line) {
     if (!point->stable || !isfinite(point->error) || (point->apart && !of_line))
         return false;

@@ -190,8 +190,8 @@ static bool takes_part(const Method* method, ChartMethods methods) {
     }
 }
 
-/// Add all points of one skin at one resolution for one measure: for all methods, or with facts NULL
-/// for the peer.
+/// Add all points of one skin at one resolution for one measure: for all methods, or with facts
+/// NULL for the peer.
 static bool add_points(ChartPlan* plan, Variant* variant, SkinFacts* facts,
                        const ChartOptions* options, Fault* fault) {
     const ChartResolution* at = variant->resolution;
@@ -260,8 +260,8 @@ static bool walk_resolutions(ChartPlan* plan, const ChartCase* chart, const Char
     return true;
 }
 
-/// Add the points of each measure, skin and resolution in the extent, in the order of chart.csv; the
-/// peer is last.
+/// Add the points of each measure, skin and resolution in the extent, in the order of chart.csv;
+/// the peer is last.
 static bool walk(ChartPlan* plan, const ChartCase* chart, const ChartOptions* options,
                  int* capacity, Fault* fault) {
     SkinFacts facts[CHART_SKINS] = {0};

@@ -35,7 +35,8 @@ static inline double last_gauge_pressure(const Report* report, double at) {
     return report_at(report, "balloon0.gauge_pressure", -1);
 }
 
-/// Bullet's links are fitted to rubber at a stretch of 1.1, in the range that soft bodies are made for.
+/// Bullet's links are fitted to rubber at a stretch of 1.1, in the range that soft bodies are made
+/// for.
 static inline double fitted_stretch(void) {
     return 1.1;
 }

@@ -1,8 +1,8 @@
-/// Bullet's own soft body, a peer for comparison: points joined by links, a pressure, rigid balls. A C
-/// interface on flat arrays; only peer.cpp includes btSoftBody.
+/// Bullet's own soft body, a peer for comparison: points joined by links, a pressure, rigid balls.
+/// A C interface on flat arrays; only peer.cpp includes btSoftBody.
 ///
-/// Bullet steps by semi-implicit Euler, v' = v + h f/m and x' = x + h v'; then rounds over the links
-/// move points (position-based dynamics), and velocities follow from the positions:
+/// Bullet steps by semi-implicit Euler, v' = v + h f/m and x' = x + h v'; then rounds over the
+/// links move points (position-based dynamics), and velocities follow from the positions:
 ///
 ///     link       each round corrects the fraction `stiffness` of the error of the link's length
 ///     pressure   f_i = (pressure / V) a_i n_i, a_i the mean (not a third of the sum) of the areas
@@ -26,8 +26,8 @@ extern "C" {
 
 typedef struct Peer Peer;
 
-/// A link from a point to a fixed position. Bullet's links also resist compression, so this is a rod
-/// and no string.
+/// A link from a point to a fixed position. Bullet's links also resist compression, so this is a
+/// rod and no string.
 typedef struct PeerRod {
     int point;
     double4 to;    ///< [m]

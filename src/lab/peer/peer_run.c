@@ -72,8 +72,8 @@ static bool is_bad(const Pair* pair) {
     return !(fabs(volume) < too_large * size * size * size);
 }
 
-/// Volume at rest under the fit's pressure over the initial volume [1]; the pressure rises during the
-/// first quarter of the time.
+/// Volume at rest under the fit's pressure over the initial volume [1]; the pressure rises during
+/// the first quarter of the time.
 static double volume_at_rest(World* world, const PeerFit* fit, const PeerLinks* links) {
     world_reset(world);
     Pair pair = pair_open(world, links);

@@ -1,10 +1,10 @@
-/// `balloon peer`: `balloon run` with Bullet's own soft body instead of a scene's first balloon: the
-/// same mesh, mass, damping and pressure law, and the same CSV.
+/// `balloon peer`: `balloon run` with Bullet's own soft body instead of a scene's first balloon:
+/// the same mesh, mass, damping and pressure law, and the same CSV.
 ///
 /// The stiffness of Bullet's links depends on step, mass and rounds, so they must be fitted: to the
-/// fewest rounds (1, 2, 4, …) and then the softest links with which the skin rests at a given volume
-/// under a given pressure; or, if the skin has no such rest, to links whose correction in a step equals
-/// that of a spring of stiffness k,
+/// fewest rounds (1, 2, 4, …) and then the softest links with which the skin rests at a given
+/// volume under a given pressure; or, if the skin has no such rest, to links whose correction in a
+/// step equals that of a spring of stiffness k,
 ///
 ///     rounds * stiffness = k h^2 (1/m + 1/m)
 ///

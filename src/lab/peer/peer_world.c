@@ -20,8 +20,8 @@ static double pressure_of(const World* world) {
     return peer_pressure(&world->balloon[0].mesh, pressure, volume, 1, 1);
 }
 
-/// Radius of the largest circle between the points of a right triangle, over all triangles: half the
-/// longest edge.
+/// Radius of the largest circle between the points of a right triangle, over all triangles: half
+/// the longest edge.
 static double widest_gap(const Body* body) {
     double longest = 0;
     for (int t = 0; t < body->mesh->triangle_count; t++) {

@@ -9,7 +9,8 @@ enum {
     SIGNALED = 128
 }; ///< plus the signal: exit status of a program ended by a signal, as in shells
 
-/// Suffices for every shipped scene by every method. A run that needs more must end with a sentence.
+/// Suffices for every shipped scene by every method. A run that needs more must end with a
+/// sentence.
 static const unsigned long bytes_max = 2ul << 30;
 
 const char* const ending_name[ENDINGS] = {

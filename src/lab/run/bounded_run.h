@@ -1,9 +1,9 @@
-/// Runs of `balloon run` within limits of CPU time and memory, classified by how they end, for benches
-/// with scenes that the program may be unable to step.
+/// Runs of `balloon run` within limits of CPU time and memory, classified by how they end, for
+/// benches with scenes that the program may be unable to step.
 ///
-/// After `cpu` seconds of CPU time the run is asked to end, and prints how far it came; after twice that
-/// time it is killed. A run may end with exit status 0 and finite numbers, or with another status and a
-/// sentence; every other ending is wrong.
+/// After `cpu` seconds of CPU time the run is asked to end, and prints how far it came; after twice
+/// that time it is killed. A run may end with exit status 0 and finite numbers, or with another
+/// status and a sentence; every other ending is wrong.
 #ifndef BALLOON_LAB_RUN_BOUNDED_RUN_H
 #define BALLOON_LAB_RUN_BOUNDED_RUN_H
 
@@ -21,8 +21,8 @@ extern const char* const ending_name[ENDINGS];
 
 enum { ENDING_TEXT = 400 };
 
-/// A run of `program` on a scene for `seconds` of simulated time [s], with the state at its start and
-/// at the ends of `rows` equal parts of it in its CSV, within `cpu` seconds of CPU time [s].
+/// A run of `program` on a scene for `seconds` of simulated time [s], with the state at its start
+/// and at the ends of `rows` equal parts of it in its CSV, within `cpu` seconds of CPU time [s].
 /// Overrides may be added.
 void bounded_run(Launch* launch, const char* program, const char* scene, double seconds, int rows,
                  double cpu);

@@ -1,8 +1,8 @@
 /// Runs of a program, in parallel or one at a time, with their output and exit status.
 ///
-/// The lab measures runs of the program itself: each is a command line that anyone can repeat, and a
-/// crash does not affect the others. Every run has a limit of CPU time, of wall time if
-/// one is set, and of memory; it ends with the process that started it.
+/// The lab measures runs of the program itself: each is a command line that anyone can repeat, and
+/// a crash does not affect the others. Every run has a limit of CPU time, of wall time if one is
+/// set, and of memory; it ends with the process that started it.
 #ifndef BALLOON_LAB_RUN_LAUNCH_H
 #define BALLOON_LAB_RUN_LAUNCH_H
 
@@ -45,9 +45,9 @@ bool launch_begin(Launch* launch, Fault* fault);
 /// Whether a run that was started has ended; then its status and output are set. Does not wait.
 bool launch_has_ended(Launch* launch);
 
-/// Run all of them, at most `parallel` at a time; their earlier output is freed. On a terminal, print
-/// the title, if there is one, and the number done. Returns false only if a program could not be
-/// started.
+/// Run all of them, at most `parallel` at a time; their earlier output is freed. On a terminal,
+/// print the title, if there is one, and the number done. Returns false only if a program could not
+/// be started.
 bool launch_all(Launch* launch, int count, int parallel, const char* title, Fault* fault);
 
 /// Frees a launch; a run that has not ended is killed.

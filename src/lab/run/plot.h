@@ -1,8 +1,8 @@
 /// A chart drawn by gnuplot.
 ///
 /// The script stays beside its data as NAME.gp, so that `gnuplot NAME.gp` in that folder draws
-/// NAME.svg and NAME.png again. The caller prints commands to `script`, from `set` to `plot`; gnuplot
-/// executes them once for each picture. Data files are comma-separated, with a header line.
+/// NAME.svg and NAME.png again. The caller prints commands to `script`, from `set` to `plot`;
+/// gnuplot executes them once for each picture. Data files are comma-separated, with a header line.
 ///
 ///     Plot plot;
 ///     if (!plot_open(&plot, "out", "chart", 960, 720, fault))

@@ -1,8 +1,8 @@
 /// A scene on coarser or finer meshes, if its models are built-in shapes with numbers.
 ///
-/// One refinement doubles the edges in each direction (below 0: halves them), or splits an icosphere
-/// once more. The skin's total mass and damping stay; stiffnesses of springs stay, because those of a
-/// sheet do not depend on its cells.
+/// One refinement doubles the edges in each direction (below 0: halves them), or splits an
+/// icosphere once more. The skin's total mass and damping stay; stiffnesses of springs stay,
+/// because those of a sheet do not depend on its cells.
 #ifndef BALLOON_LAB_RUN_REFINEMENT_H
 #define BALLOON_LAB_RUN_REFINEMENT_H
 

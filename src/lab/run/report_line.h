@@ -1,5 +1,5 @@
-/// The last line of `balloon run --report` and `balloon peer --report`: "report", then KEY=VALUE for
-/// each figure, separated by spaces. Programs read this line and no other text.
+/// The last line of `balloon run --report` and `balloon peer --report`: "report", then KEY=VALUE
+/// for each figure, separated by spaces. Programs read this line and no other text.
 #ifndef BALLOON_LAB_RUN_REPORT_LINE_H
 #define BALLOON_LAB_RUN_REPORT_LINE_H
 

@@ -1,10 +1,11 @@
-/// A map of stable steps: of a scene's first balloon alone, by its method, over steps and stiffnesses
-/// around the scene's own. It is measured cell by cell in small parts, between frames.
+/// A map of stable steps: of a scene's first balloon alone, by its method, over steps and
+/// stiffnesses around the scene's own. It is measured cell by cell in small parts, between frames.
 ///
 /// Each cell is a trial (lab/stability/trial.h), as in `balloon stability`: the balloon without
 /// gravity, strings, helium and strain limit is brought to rest and perturbed. It holds its present
-/// amount of gas or, under another inflation law, the present pressure times the factor of stiffness,
-/// so that its size stays. Rows multiply the stiffness of the whole skin by powers of two.
+/// amount of gas or, under another inflation law, the present pressure times the factor of
+/// stiffness, so that its size stays. Rows multiply the stiffness of the whole skin by powers of
+/// two.
 #ifndef BALLOON_LAB_STABILITY_MAP_H
 #define BALLOON_LAB_STABILITY_MAP_H
 
@@ -53,7 +54,8 @@ typedef struct Map {
 /// Nothing is measured yet.
 void map_begin(Map* map, const World* world, const SceneSet* set, int set_count);
 
-/// Measure one part: one step of an iterative method, several of others. False: the map is complete.
+/// Measure one part: one step of an iterative method, several of others. False: the map is
+/// complete.
 bool map_work(Map* map);
 
 /// Step and stiffness of a cell, the latter over the scene's own.

@@ -26,8 +26,8 @@ static const double search_explosion = 1e4;
 static const double rest_motion = sizeof(real) == sizeof(double) ? 1e-4 : 5e-2;
 /// Every mode has a larger share of the start energy, so below this all modes have decayed. [1]
 static const double decayed = 1e-4;
-/// Growth of ln e in the fitted half that counts as zero, and the share of the variance that the line
-/// must explain (R^2): undamped modes beat without growing. [1]
+/// Growth of ln e in the fitted half that counts as zero, and the share of the variance that the
+/// line must explain (R^2): undamped modes beat without growing. [1]
 static const double growth_min = 0.1, explained_min = 0.5;
 /// Steps of a run in the search for the limit. With damping, the distance of the eigenvalue outside
 /// the unit circle is proportional to the excess of the step (`forward`: gamma h / 100 for each

@@ -1,17 +1,17 @@
-/// A stability experiment: one balloon at rest is perturbed and stepped by a method; does the energy
-/// of the perturbation grow?
+/// A stability experiment: one balloon at rest is perturbed and stepped by a method; does the
+/// energy of the perturbation grow?
 ///
 /// A trial is a scene without gravity, the guard off, brought to rest. A run starts from that rest,
-/// moves every particle at random by up to 1e-6 of the balloon's size, and records the energy of the
-/// perturbation,
+/// moves every particle at random by up to 1e-6 of the balloon's size, and records the energy of
+/// the perturbation,
 ///
 ///     e = kinetic + potential - potential at rest                                          [J]
 ///
 /// With damping, every particle also gets a random velocity of up to 1e-6 of size times the highest
-/// frequency, because above h = 2/gamma rigid motion is the first to become unstable. Without damping
-/// it gets none: modes without a restoring force, such as rigid motion and folds of an empty skin,
-/// would drift far, though they are neutrally stable. trial.c has the constants of the definition
-/// and of the measurement.
+/// frequency, because above h = 2/gamma rigid motion is the first to become unstable. Without
+/// damping it gets none: modes without a restoring force, such as rigid motion and folds of an
+/// empty skin, would drift far, though they are neutrally stable. trial.c has the constants of the
+/// definition and of the measurement.
 #ifndef BALLOON_LAB_STABILITY_TRIAL_H
 #define BALLOON_LAB_STABILITY_TRIAL_H
 
@@ -81,7 +81,8 @@ Verdict trial_run(Trial* trial, double h, double* growth);
 /// INFINITY: all are.
 double trial_limit(Trial* trial);
 
-/// The method's limit for the highest frequency at rest, and the bound that the program computes [s].
+/// The method's limit for the highest frequency at rest, and the bound that the program computes
+/// [s].
 double trial_theory(const Trial* trial);
 double trial_bound(Trial* trial);
 

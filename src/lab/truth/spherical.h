@@ -2,8 +2,8 @@
 /// sheet, has a known pressure over its stretch (lab/truth/truth.h) under any inflation law.
 ///
 /// A membrane has its material's form. Quads of springs are a sheet of equibiaxial stiffness
-/// B = ks + 4 kf + 2 kd with their law, Hooke's or rubber's: accurate to a few percent when the kinds
-/// have stiffnesses as different as in the mass-spring paper.
+/// B = ks + 4 kf + 2 kd with their law, Hooke's or rubber's: accurate to a few percent when the
+/// kinds have stiffnesses as different as in the mass-spring paper.
 #ifndef BALLOON_LAB_TRUTH_SPHERICAL_H
 #define BALLOON_LAB_TRUTH_SPHERICAL_H
 

@@ -67,8 +67,8 @@ TruthBalloon truth_springs_fitted(const TruthBalloon* balloon, double l);
 
 // --- the sphere at rest, and its breathing -----------------------------------------------------
 
-/// Stretch with a closed gas of `amount` = n R T/(p_atm V0) >= 1: p_atm (amount/l^3 - 1) = p(l) [1].
-/// Below 1 the skin wrinkles and is no sphere.
+/// Stretch with a closed gas of `amount` = n R T/(p_atm V0) >= 1: p_atm (amount/l^3 - 1) = p(l)
+/// [1]. Below 1 the skin wrinkles and is no sphere.
 double truth_stretch_gas(const TruthBalloon* balloon, double amount);
 
 /// Stretch where p(l) = pressure >= 0, below the first maximum, as a slow inflation reaches it;
@@ -97,9 +97,9 @@ TruthMotion truth_filling(const TruthBalloon* balloon, double more, double durat
 
 // --- particles ---------------------------------------------------------------------------------
 
-/// The cube of 8 particles inflated by the mass-spring paper's `area` law: by symmetry it has one degree
-/// of freedom, the distance r of a corner from the center, and its equation is linear. With the side
-/// s = 2 r/sqrt(3):
+/// The cube of 8 particles inflated by the mass-spring paper's `area` law: by symmetry it has one
+/// degree of freedom, the distance r of a corner from the center, and its equation is linear. With
+/// the side s = 2 r/sqrt(3):
 ///
 ///     springs  3 edges at a corner and 3 diagonals, along r: -(2 ks + 4 kd) (r - r0)
 ///     push     8 f dr = p dV,  p = 100 amount/(6 s^2),  V = s^3:   f = 100 amount sqrt(3)/24
@@ -139,10 +139,10 @@ double truth_tether(int count, double mass, double lift, double gravity);
 
 // --- two discs sewn together -------------------------------------------------------------------
 
-/// Two inextensible discs of radius a, sewn at the rim and inflated: the Mylar balloon. Its wrinkles
-/// carry no hoop tension, so the meridional tension T satisfies T x = const at distance x from the axis.
-/// The balance of the cap within x is T 2 pi x sin = p pi x^2, with sin = 1 at the inflated radius r.
-/// So T = p r^2/(2 x) and sin = x^2/r^2:
+/// Two inextensible discs of radius a, sewn at the rim and inflated: the Mylar balloon. Its
+/// wrinkles carry no hoop tension, so the meridional tension T satisfies T x = const at distance x
+/// from the axis. The balance of the cap within x is T 2 pi x sin = p pi x^2, with sin = 1 at the
+/// inflated radius r. So T = p r^2/(2 x) and sin = x^2/r^2:
 ///
 ///     z' = -x^2/sqrt(r^4 - x^4),   length of the meridian ds = r^2/sqrt(r^4 - x^4) dx
 typedef struct TruthMylar {

@@ -1,7 +1,7 @@
 /// Pressure of a stretched sphere, law by law.
 ///
-/// p(l) = (h0/R0) W'/l^2 throughout; each law below gives W, W' and W'' as functions of l, the stretch
-/// in both directions of the skin.
+/// p(l) = (h0/R0) W'/l^2 throughout; each law below gives W, W' and W'' as functions of l, the
+/// stretch in both directions of the skin.
 #include "lab/truth/truth.h"
 
 #include <math.h>
@@ -76,17 +76,18 @@ static void lame(const TruthBalloon* b, double* mu, double* first) {
     *first = b->modulus * b->poisson / ((1 + b->poisson) * (1 - 2 * b->poisson));
 }
 
-/// The work of the stress below. It is not the StVK energy of the state, because the thickness changes
-/// without work. W = (mu + L) (l^2-1)^2/2 + L (1 - (l^2 + l^-2)/2)
+/// The work of the stress below. It is not the StVK energy of the state, because the thickness
+/// changes without work. W = (mu + L) (l^2-1)^2/2 + L (1 - (l^2 + l^-2)/2)
 static double paper_energy(const TruthBalloon* b, double l) {
     double mu, first;
     lame(b, &mu, &first);
     return (mu + first) / 2 * sq(sq(l) - 1) + first * (1 - (sq(l) + pow(l, -2)) / 2);
 }
 
-/// The thin-shell paper's reading: dW/dl at constant thickness, then thickness = l^-2, as its volume
-/// preservation sets it after each step. 2 l S11, S11 = 2 mu e + L (2 e + g): no pressure in the skin
-/// balances the term L g, so the law is 3 times too soft at l = 1 and far too stiff at large l.
+/// The thin-shell paper's reading: dW/dl at constant thickness, then thickness = l^-2, as its
+/// volume preservation sets it after each step. 2 l S11, S11 = 2 mu e + L (2 e + g): no pressure in
+/// the skin balances the term L g, so the law is 3 times too soft at l = 1 and far too stiff at
+/// large l.
 static double paper_stress(const TruthBalloon* b, double l) {
     double mu, first;
     lame(b, &mu, &first);
@@ -181,8 +182,8 @@ static double slope_at(const void* self, double l) {
 }
 
 bool truth_peak(const TruthBalloon* balloon, double* l, double* pressure) {
-    // a maximum and the following minimum are closer than this only within 3e-9 of the ratio C2/C1 at
-    // which both vanish
+    // a maximum and the following minimum are closer than this only within 3e-9 of the ratio C2/C1
+    // at which both vanish
     const double step = 2.5e-4;
     for (double x = 1; x < 10; x += step) {
         if (slope_at(balloon, x + step) < 0) {

@@ -6,8 +6,8 @@
 #include "base/real.h"
 
 /// Integral of t^power/sqrt(1 - t^4) from 0 to 1, power even. t = sin(q) leaves
-/// sin(q)^power/sqrt(1 + sin(q)^2), smooth and periodic, so that the midpoint rule with 40 points is
-/// exact to rounding.
+/// sin(q)^power/sqrt(1 + sin(q)^2), smooth and periodic, so that the midpoint rule with 40 points
+/// is exact to rounding.
 static double lemniscate(int power) {
     enum { POINTS = 64 };
     double sum = 0;

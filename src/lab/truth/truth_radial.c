@@ -39,9 +39,9 @@ static TruthMotion step(const Radial* radial, double t, double h, TruthMotion at
 }
 
 /// The motion at time `to`, from the state `from` at time `since`, damped by a force -damping m v
-/// (damping [1/s]). Runge-Kutta of order 4; steps are halved until the final state changes by less than
-/// 1e-12 or no longer converges because of rounding, which a long or nearly unbounded motion amplifies.
-/// Infinite if the motion is unbounded. `applied` must be smooth between the two times.
+/// (damping [1/s]). Runge-Kutta of order 4; steps are halved until the final state changes by less
+/// than 1e-12 or no longer converges because of rounding, which a long or nearly unbounded motion
+/// amplifies. Infinite if the motion is unbounded. `applied` must be smooth between the two times.
 static TruthMotion motion(const TruthBalloon* balloon, Applied applied, const void* self,
                           double damping, TruthMotion from, double since, double to) {
     enum { FEWEST = 1 << 8, MOST = 1 << 22 };
