@@ -35,25 +35,39 @@ declare -A library=(
     [bt]="contact lab/peer/peer.cpp" [Bullet]="contact lab/peer/peer.cpp"
 )
 
-bad=0
-for file in $(find src -mindepth 2 -name '*.[ch]' -o -mindepth 2 -name '*.[ch]pp' -o -mindepth 2 -name '*.inc'); do
-    folder=$(dirname "${file#src/}")
-    if [ -z "${may[$folder]:-}" ]; then
-        echo "layers: src/$folder is not in the table"; bad=1; continue
-    fi
-    while read -r other; do
-        case " ${may[$folder]} " in
-            *" $other "*) ;;
-            *) echo "layers: $file includes $other/, and $folder may include: ${may[$folder]}"; bad=1 ;;
-        esac
-    done < <(sed -nE 's|^#include "([a-z/]+)/[^/]+"|\1|p' "$file")
+# may_include FILE FOLDER OTHER
+may_include() {
+    case " ${may[$2]:-} " in
+        *" $3 "*) ;;
+        *) echo "layers: $1 includes $3/, and $2 may include: ${may[$2]:-}"; bad=1 ;;
+    esac
+}
+
+# may_see FILE FOLDER HEADER: a library's header, or the C library's
+may_see() {
+    local name
     for name in "${!library[@]}"; do
-        grep -qE "^#include <$name" "$file" || continue
+        [[ $3 == "$name"* ]] || continue
         case " ${library[$name]} " in
-            *" $folder "* | *" ${file#src/} "*) ;;
-            *) echo "layers: $file includes $name, which is for ${library[$name]}"; bad=1 ;;
+            *" $2 "* | *" ${1#src/} "*) ;;
+            *) echo "layers: $1 includes $name, which is for ${library[$name]}"; bad=1 ;;
         esac
     done
+}
+
+bad=0
+for folder in $(find src -mindepth 2 \( -name '*.[ch]' -o -name '*.[ch]pp' -o -name '*.inc' \) -printf '%P\n' |
+    sed 's|^src/||; s|/[^/]*$||' | sort -u); do
+    [ -n "${may[$folder]:-}" ] || { echo "layers: src/$folder is not in the table"; bad=1; }
 done
+while IFS=: read -r file line; do
+    folder=${file#src/}
+    folder=${folder%/*}
+    if [[ $line =~ ^\#include\ \"([a-z/]+)/[^/]+\" ]]; then
+        may_include "$file" "$folder" "${BASH_REMATCH[1]}"
+    elif [[ $line =~ ^\#include\ \<([^\>]+)\> ]]; then
+        may_see "$file" "$folder" "${BASH_REMATCH[1]}"
+    fi
+done < <(find src -mindepth 2 \( -name '*.[ch]' -o -name '*.[ch]pp' -o -name '*.inc' \) -exec grep -H '^#include' {} +)
 [ $bad = 0 ] && echo "layers: includes point one way"
 exit $bad

@@ -10,7 +10,7 @@ static const char* const scene_table[] = {"party", "crowd", "teddy"};
 enum { SCENES = sizeof scene_table / sizeof *scene_table };
 
 /// Simulated time of a full and of a quick run. [s]
-static const double seconds_table[] = {2, 0.1};
+static const double seconds_table[] = {2, 0.05};
 
 static bool run_scene(const char* scene, const BenchOptions* options, Fault* fault) {
     WorldDef def;

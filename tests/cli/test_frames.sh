@@ -42,10 +42,12 @@ for film in mp4:11 webm:11 gif:14; do # a GIF plays at 25 a second: 11 frames of
         -show_entries stream=nb_read_frames -of csv=p=0 "$scratch/film.$kind" | tr -d ',')" = "${film#*:}"
 done
 
-# --- every display mode gives a picture of its own, on springs or on rubber
+# --- every display mode gives a picture of its own, on springs or on rubber; with SHORT a little after
+# the start
+moment=$([ -z "${SHORT:-}" ] && echo 1 || echo 0.1)
 for mode in $("$balloon" list | sed -n '/^display modes/,$p' | awk 'NR > 1 { print $1 }'); do
-    scene=squirrel-inflates render "$scratch/mode-$mode.png" 1 --mode "$mode"
-    scene=peak render "$scratch/rubber-$mode.png" 1 --mode "$mode" \
+    scene=squirrel-inflates render "$scratch/mode-$mode.png" "$moment" --mode "$mode"
+    scene=peak render "$scratch/rubber-$mode.png" "$moment" --mode "$mode" \
         --set 'balloons.0.skin.membrane.patches=[{at: [0, -0.1, 0], radius: 0.17, thickness: 1.2e-4}]'
     cat "$scratch/rubber-$mode.png" >>"$scratch/mode-$mode.png"
     for picture in mode rubber; do
