@@ -230,6 +230,7 @@ double contacts_velocities_again(Contacts* contacts, double h) {
 
 void contacts_drift(Contacts* contacts, double h) {
     contacts->drift = contacts->part > 0 ? contacts->drift + h : h;
+    contacts->skins_kicked = false;
     skin_pairs_moved(contacts, h);
     for (int r = 0; r < PAIR_ROWS; r++)
         if (pair_table[r]->count_passes)

@@ -66,6 +66,7 @@ typedef struct Contacts {
     SkinPairs skin_pairs;
     double drift;      ///< length of the last one, of all its parts so far [s]
     double kicked;     ///< length of the substep that the last kick was for [s]
+    bool skins_kicked; ///< since the last drift
     int part;          ///< of that drift, which contacts of skins divide
     int contact_count; ///< contacts that may touch in this part
     int near_count;    ///< those, and behind them the triangles that are near

@@ -59,9 +59,9 @@ static double max_relative_speed(const Contact* c) {
 
 /// Approach speed that the kick of this substep and the ball's weight alone gave: a contact at rest
 /// has it, too.
-static real kick_speed(const Contact* c, const ContactSkin* skin, real fall) {
+static real kick_speed(const Contact* c, const ContactSkin* skin, bool skins_kicked, real fall) {
     real4 kick = {0, fall, 0, 0};
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; skins_kicked && k < 3; k++) {
         const int i = skin->body->mesh->triangle[c->feature][k];
         kick -= c->node[k + 1].weight * (skin->body->v[i] - skin->before[i]);
     }
@@ -118,7 +118,8 @@ static void gather_pair(Contacts* contacts, int row, int s, int b, double h) {
         if (may_touch && thing)
             set_thing(contacts, contact, h);
         else if (may_touch)
-            contact->min_bounce_speed = bounce_kicks * kick_speed(contact, skin, fall);
+            contact->min_bounce_speed =
+                bounce_kicks * kick_speed(contact, skin, contacts->skins_kicked, fall);
         if (may_touch)
             contacts_wake(contacts, b, NONE);
         pair_keep(contacts, may_touch, h);

@@ -63,9 +63,9 @@ typedef struct Method {
     void* (*open)(Body* body, const Solver* solver);
     void (*close)(void* workspace);
 
-    /// Compute the velocities of the coming drift, under forces, strain limits and contacts. *drift
-    /// is its length: h, or less where contacts have made a node so fast that a drift of h would
-    /// not be safe. False where a body's step was not solved: then no velocity has changed, and
+    /// Compute the velocities after a kick of h, under forces, strain limits and contacts. *drift: the
+    /// longest drift until contacts must be found again; it becomes less where contacts have made a
+    /// node so fast that this drift would not be safe. False where a body's step was not solved: then no velocity has changed, and
     /// system->unsolved is that body.
     bool (*kick)(const struct Method* method, System* system, Contacts* contacts, double h,
                  double* drift);

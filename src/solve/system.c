@@ -134,7 +134,8 @@ bool system_kick(const Method* method, System* system, Contacts* contacts, doubl
 
     system->unsolved_in_row = 0;
     system_for_each(system, limit_strain, &kick);
-    *drift = in_groups ? contacts_finish(contacts, h) : contacts_velocities(contacts, h);
+    contacts->skins_kicked = true;
+    *drift = in_groups ? contacts_finish(contacts, *drift) : contacts_velocities(contacts, *drift);
     return true;
 }
 

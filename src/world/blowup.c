@@ -158,7 +158,7 @@ static Bad bad_balloon(const Balloon* balloon, double h) {
 static Bad find_bad(const World* world) {
     for (int b = 0; b < world->balloon_count; b++) {
         const Balloon* balloon = &world->balloon[b];
-        Bad bad = balloon->body.asleep ? (Bad){0} : bad_balloon(balloon, world->drift);
+        Bad bad = balloon->body.asleep ? (Bad){0} : bad_balloon(balloon, world->kicked);
         bad.balloon = b;
         if (bad.cause)
             return bad;
@@ -214,8 +214,8 @@ static int say_state(World* world, int b, char* text, size_t size) {
     if (world->method->implicit)
         return used;
     return used + snprintf(text + used, size - (size_t)used,
-                           "; the step is %.3g s, %s the largest stable one, %.3g s", world->drift,
-                           world->drift > world->guard.bound ? "above" : "within",
+                           "; the step is %.3g s, %s the largest stable one, %.3g s", world->kicked,
+                           world->kicked > world->guard.bound ? "above" : "within",
                            world->guard.bound);
 }
 

@@ -79,7 +79,7 @@ static double kinetic_at_positions(const World* world, Body* body) {
     if (!world->method->staggered || body->asleep)
         return vectors()->weighted_squares(body->mass, body->v, body->count) / 2;
     force_sum(body);
-    const real half = (real)(world->drift / 2);
+    const real half = (real)(world->kicked / 2);
     double sum = 0;
     for (int i = 0; i < body->count; i++) {
         const real4 v = body->v[i] + (half * body->inverse_mass[i]) * body->f[i];

@@ -19,6 +19,11 @@
 /// with a long step and left with a short one, and a symplectic method of varying steps keeps no
 /// energy. At equal steps of 5e-5 s the energy is kept to 0.05 J of 8 J.
 ///
+/// Contacts divide a drift, and not the kick of an explicit method. A bound holds for kicks of equal
+/// lengths: kicks of h1 and h2 in turn multiply a mode of frequency w by a matrix of trace
+/// 2 - w^2 (h1 + h2)^2 + w^4 h1^2 h2^2, which leaves -2 to 2 from w h1 = 1.9, w h2 = 0.5 on. With a
+/// kick for each part, `party` gained energy from 10^4 J to 10^8 J in 1.5 s beside fast balls.
+///
 /// Methods of constraints are stable at every step, and wrong at long ones. Under `split` a step of
 /// theirs whose residual is above RESIDUAL_MAX is halved as one that is not solved.
 ///

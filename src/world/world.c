@@ -175,7 +175,6 @@ static void drift(World* world, double h) {
     contacts_drift(&world->contacts, h);
     system_for_each(&world->system, drift_balloon, &(Drift){world, h});
     contacts_penalty(&world->contacts, h);
-    world->drift = h;
 }
 
 /// Whether the world has halted, or a run that was asked to end leaves its step: some take minutes.
@@ -184,9 +183,10 @@ static bool is_over(const World* world) {
 }
 
 /// Kick by h, or by the first half, quarter … of h that the method can solve. Returns the length of
-/// the kick, or 0 where the method cannot solve the shortest substep; *drift: what of it may be
-/// drifted at once.
+/// the kick, or 0 where the method cannot solve the shortest substep. *drift: the longest drift until
+/// contacts must be found again; becomes how much of it may be drifted.
 static double kick(World* world, double h, double whole, double* drift) {
+    const double safe = *drift;
     while (!world->method->kick(world->method, &world->system, &world->contacts, h, drift)) {
         notice_factored(world, h);
         if (interrupt_signal())
@@ -196,6 +196,7 @@ static double kick(World* world, double h, double whole, double* drift) {
             return 0;
         }
         h /= 2;
+        *drift = fmin(safe, h);
         world->solvable = h / whole;
         if (h * SPLITS_SLOW == whole)
             snprintf(world->notice, sizeof world->notice,
@@ -203,6 +204,7 @@ static double kick(World* world, double h, double whole, double* drift) {
                      world->method->name, world->step_count, SPLITS_SLOW);
     }
     notice_factored(world, h);
+    world->kicked = h;
     return h;
 }
 
@@ -212,27 +214,36 @@ static double longest_substep(const World* world) {
     return corrected ? world->corrected : (double)INFINITY;
 }
 
-/// Advance by h, in several substeps where balls are near or a method cannot solve h at once: each
-/// is a safe length, a kick and a drift. Where contacts allow only a part of the drift, they are
-/// found and solved anew for the rest of it.
+/// Drift for as long as contacts allow, at most h, in parts with velocities solved anew for each
+/// where skins touch; *part: the first. Returns the length of all.
+static double drift_in_parts(World* world, double h, double part, int* parts) {
+    double length = part;
+    drift(world, part);
+    while (contacts_in_parts(&world->contacts) && h - length > h * rounding &&
+           (*parts)++ < SUBSTEPS_NEAR && !is_over(world)) {
+        part = contacts_velocities_again(&world->contacts, h - length);
+        drift(world, part);
+        length += part;
+    }
+    return length;
+}
+
+/// Advance by h, in several drifts where balls are near. Contacts are found and solved anew for each,
+/// each of a safe length. An implicit method kicks before each, in as many substeps as it can solve.
+/// An explicit one kicks once, by h: kicks of changing lengths gain energy (guard.h).
 static void advance(World* world, double h) {
     const double whole = h;
+    const bool kicks_once = !world->method->implicit;
     for (int parts = 0; h > whole * rounding && parts < SUBSTEPS_NEAR; parts++) {
         const double longest = fmin(longest_substep(world), world->solvable * whole);
-        const double safe = contacts_safe_step(&world->contacts, fmin(h, longest));
-        double part, kicked = kick(world, safe, whole, &part);
+        double safe = contacts_safe_step(&world->contacts, fmin(h, longest)), part = safe;
+        if (kicks_once && parts > 0)
+            part = contacts_velocities(&world->contacts, safe);
+        else
+            safe = fmin(safe, kick(world, kicks_once ? whole : safe, whole, &part));
         if (is_over(world))
             return;
-        drift(world, part);
-        h -= part;
-        kicked -= part;
-        while (contacts_in_parts(&world->contacts) && kicked > whole * rounding &&
-               parts++ < SUBSTEPS_NEAR && !is_over(world)) {
-            part = contacts_velocities_again(&world->contacts, kicked);
-            drift(world, part);
-            h -= part;
-            kicked -= part;
-        }
+        h -= drift_in_parts(world, safe, part, &parts);
     }
     world->solvable = fmin(1, 2 * world->solvable);
     if (h > whole * rounding)

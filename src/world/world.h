@@ -34,7 +34,7 @@ struct World {
     unsigned held;     ///< commands whose key is down, bit k for row k of command_table
     StepGuard guard;
     EnergyWatch watch;
-    double drift; ///< length of the last drift; contacts shorten it where balls are near a skin [s]
+    double kicked;    ///< length of the last kick [s]
     double solvable;  ///< longest substep that the method could last solve [of the step]
     double corrected; ///< longest substep where velocities are corrected after the solve [s]
     Blowup blowup;

@@ -55,7 +55,7 @@ static inline void steps_of(const Method* method, Body* body, const Solver* solv
     system.stats[0] = &stats;
     system.v_start[0] = new_array(real4, body->count);
     for (int n = 0; n < count; n++) {
-        double drift;
+        double drift = h;
         assert_true(method->kick(method, &system, &contacts, h, &drift));
         method->drift(body, drift);
     }
