@@ -101,8 +101,12 @@ double contacts_safe_step(Contacts* contacts, double h) {
     contacts->contact_count = contacts->near_count = 0;
     if (contacts->law == CONTACT_PAPER) // its figures are of whole steps
         return h;
-    for (int k = 0; k < contacts->thing_count; k++)
+    for (int k = 0; k < contacts->thing_count; k++) {
         thing_begin_drift(&contacts->thing[k], h);
+        if (contacts->thing[k].still >
+            0) // impulses against each other would grow from part to part
+            contacts->warm.count = 0;
+    }
     for (int r = 0; r < PAIR_ROWS; r++)
         if (pair_table[r]->safe_step)
             h = pair_table[r]->safe_step(contacts, h);

@@ -95,6 +95,87 @@ static void skins_never_cross_edges_and_spikes(void** state) {
     remove(obj);
 }
 
+/// A box on a path comes from below and throws a balloon up. What the balloon's momentum gains in a
+/// step is the impulse of the box, to the tolerance of newton's solve, and the box comes to the end of its path.
+static void momentum_of_a_pushed_balloon_is_the_things_impulse(void** state) {
+    (void)state;
+    const char* const method[] = {"method=euler", "method=newton", "method=xpbd"};
+    for (int m = 0; m < 3; m++) {
+        World world;
+        OPEN_TEXT(&world, "step: 1e-3\ngravity: 0\n" BALLOON("0.105"), "balloons.0.damping=~",
+                  "things=[{model: box, size: [0.4, 0.2, 0.4], rotation: [0, 0, 10], path: "
+                  "[{position: [0.02, "
+                  "-0.2, 0]}, {at: 0.1, position: [0, 0, 0]}, {at: 0.2, position: [0, 0, 0]}]}]",
+                  method[m]);
+        double before[3] = {0}, force = 0;
+        for (int n = 0; n < 200; n++) {
+            world_step(&world);
+            const char* const column[2][3] = {{"balloon0.px", "balloon0.py", "balloon0.pz"},
+                                              {"thing0.fx", "thing0.fy", "thing0.fz"}};
+            for (int k = 0; k < 3; k++) {
+                const double now = probe(&world, column[0][k]), f = probe(&world, column[1][k]);
+                assert_near(now - before[k], -f * world.step,
+                            TOLERANCE(1e-6, m == 1 ? 2e-7 : 1e-13));
+                before[k] = now;
+                force = fmax(force, fabs(f));
+            }
+        }
+        assert_int_equal(crossings_with_things(&world), 0);
+        assert_less(1, force);
+        assert_less(162e-4 * 1, before[1]); // 162 particles, thrown up at more than 1 m/s
+        const Thing* thing = &world.thing[0];
+        for (int i = 0; i < thing->body.count; i++)
+            assert_near(dlength(to_double4(thing->body.x[i] - thing->start[i]) -
+                                (double4){-0.02, 0.2, 0, 0}),
+                        0, 1e-5);
+        world_close(&world);
+    }
+}
+
+/// A box that would press a balloon to nothing on another box is held up; nothing crosses.
+static void a_thing_that_would_press_a_skin_to_nothing_is_held_up(void** state) {
+    (void)state;
+    World world;
+    OPEN_TEXT(&world, "step: 1e-3\n" BALLOON("0.105"),
+              "things=[{model: box, size: [0.6, 0.2, 0.6], position: [0, -0.1, 0]}, {model: box, "
+              "size: [0.6, "
+              "0.2, 0.6], path: [{position: [0, 0.32, 0]}, {at: 0.2, position: [0, 0.1, 0]}]}]",
+              "balloons.0.inflation=~");
+    for (int n = 0; n < 6; n++) {
+        run_for(&world, 0.05);
+        assert_int_equal(crossings_with_things(&world), 0);
+    }
+    assert_true(world.thing[1].delay > 0);
+    assert_non_null(strstr(world.notice, "things.1 is held up"));
+    world_close(&world);
+}
+
+/// A ball bounces off a box as off a floor, comes to rest at its radius and, pushed along, rolls with 5/7
+/// of its speed over the triangles of the face.
+static void balls_bounce_rest_and_roll_on_a_box(void** state) {
+    (void)state;
+    World world;
+    OPEN_TEXT(
+        &world, "step: 1e-3\n" BALLOON("9.105"), "balloons.0.position=[9, 0.3, 0]",
+        "things=[{model: box, size: [8, 0.2, 3], position: [0, -0.1, 0]}]",
+        "spheres=[{position: [0.05, 1.1, 0.02], radius: 0.1, mass: 1, restitution: 0.8}, "
+        "{position: "
+        "[-1, 0.01, 0], radius: 0.001, mass: 1}, {position: [2.6, 0.2, 0.5], velocity: [-1, 0, 0], "
+        "radius: 0.1, mass: 1, friction: 0.3}]");
+    double top = 0;
+    for (int n = 0; n < 1500; n++) {
+        world_step(&world);
+        if (n > 480)
+            top = fmax(top, probe(&world, "sphere0.y"));
+    }
+    assert_close(top - 0.1, 0.64, 2e-3);
+    assert_close(probe(&world, "sphere1.y"), 0.001, 1e-3);
+    assert_near(probe(&world, "sphere2.y"), 0.1, 1e-5);
+    assert_close(probe(&world, "sphere2.vx"), -5.0 / 7, 1e-3);
+    assert_near(probe(&world, "pass_throughs"), 0, 0);
+    world_close(&world);
+}
+
 static void refused_things_are_said_in_one_sentence(void** state) {
     (void)state;
     const struct {
@@ -126,6 +207,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(balloon_at_rest_presses_with_its_weight),
         cmocka_unit_test(skins_never_cross_edges_and_spikes),
+        cmocka_unit_test(momentum_of_a_pushed_balloon_is_the_things_impulse),
+        cmocka_unit_test(a_thing_that_would_press_a_skin_to_nothing_is_held_up),
+        cmocka_unit_test(balls_bounce_rest_and_roll_on_a_box),
         cmocka_unit_test(refused_things_are_said_in_one_sentence),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -8,6 +8,8 @@
 
 static const double return_rate = 10; ///< [1/s] at most, to the path
 
+static const double still_time = 0.05; ///< [s] of a thing that is held up
+
 /// [1] Cosines this small are rounding.
 static const double cosine_min = 1e-9;
 
@@ -81,7 +83,7 @@ static void stand_still(Thing* thing) {
 }
 
 void thing_reset(Thing* thing) {
-    thing->time = thing->delay = 0;
+    thing->time = thing->still = thing->delay = 0;
     thing->displacement = (double4){0};
     thing->said = false;
     memcpy(thing->body.x, thing->start, (size_t)thing->body.count * sizeof(real4));
@@ -90,9 +92,12 @@ void thing_reset(Thing* thing) {
 }
 
 void thing_begin_drift(Thing* thing, double h) {
-    thing->held_up = false;
     if (thing->path_count == 0)
         return;
+    if (thing->still > 0) {
+        stand_still(thing);
+        return;
+    }
     Body* body = &thing->body;
     const double rate = fmin(1 / h, return_rate);
     const double4 now = path_displacement(thing, thing->time), lag = now - thing->displacement;
@@ -111,14 +116,15 @@ void thing_begin_drift(Thing* thing, double h) {
 }
 
 void thing_hold_up(Thing* thing) {
-    thing->held_up = true;
+    thing->still = still_time;
     stand_still(thing);
 }
 
 void thing_drift(Thing* thing, double h) {
-    if (thing->held_up)
+    if (thing->still > 0) {
+        thing->still -= h;
         thing->delay += h;
-    else
+    } else
         thing->time += h;
     if (thing->body.asleep)
         return;
@@ -131,6 +137,7 @@ void thing_keep(Thing* thing) {
         return;
     memcpy(thing->good_x, thing->body.x, (size_t)thing->body.count * sizeof(real4));
     thing->good_time = thing->time;
+    thing->good_still = thing->still;
     thing->good_delay = thing->delay;
     thing->good_displacement = thing->displacement;
 }
@@ -140,6 +147,7 @@ void thing_put_back(Thing* thing) {
         return;
     memcpy(thing->body.x, thing->good_x, (size_t)thing->body.count * sizeof(real4));
     thing->time = thing->good_time;
+    thing->still = thing->good_still;
     thing->delay = thing->good_delay;
     thing->displacement = thing->good_displacement;
     stand_still(thing);

@@ -12,8 +12,8 @@
 ///
 /// p is the path's displacement, t the thing's own time, d its present displacement: a drift that
 /// contacts cut leaves d beside p. Each particle comes back in the same way from what rounding adds.
-/// A thing that would press a skin to nothing is held up: it stands still for that drift, and so does
-/// its time, which slows its path.
+/// A thing that would press a skin to nothing is held up: it stands still for 0.05 s, then tries again.
+/// Its time stands still as long, which slows its path.
 #ifndef BALLOON_CONTACT_THINGS_THING_H
 #define BALLOON_CONTACT_THINGS_THING_H
 
@@ -38,12 +38,12 @@ typedef struct Thing {
     double time;          ///< along the path [s]
     double4 displacement; ///< [m]
     double4 velocity;     ///< of all particles, but for the return of each from rounding [m/s]
-    bool held_up;         ///< in the coming drift
+    double still;         ///< how much longer it stands still since it was held up [s]
     double delay;         ///< sum of the drifts in which it was held up [s]
     bool said;            ///< that it was held up
     // the last good state
     real4* good_x; ///< [count]
-    double good_time, good_delay;
+    double good_time, good_still, good_delay;
     double4 good_displacement;
 } Thing;
 
@@ -58,7 +58,7 @@ void thing_reset(Thing* thing);
 /// Set the velocity for a drift of length h.
 void thing_begin_drift(Thing* thing, double h);
 
-/// Let it stand still in this drift.
+/// Let it stand still from this drift on.
 void thing_hold_up(Thing* thing);
 
 void thing_drift(Thing* thing, double h);
