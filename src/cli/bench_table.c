@@ -6,7 +6,7 @@
 const BenchCase* const bench_table[] = {&bench_speed, &bench_table1,   &bench_contact_cost,
                                         &bench_frame, &bench_contacts, &bench_contact_hour,
                                         &bench_soak,  &bench_advise,   &bench_thickness,
-                                        &bench_guard, &bench_scenes};
+                                        &bench_guard, &bench_heap,     &bench_scenes};
 const int bench_count = sizeof bench_table / sizeof *bench_table;
 
 const BenchCase* bench_find(const char* name) {

@@ -49,9 +49,12 @@ void contacts_add_things(Contacts* contacts, Thing* thing, int count) {
 }
 
 void contacts_wake(Contacts* contacts, int skin, int other) {
-    const Thing* thing = other == NONE ? NULL : contacts_thing(contacts, other);
-    if (!contacts_thing(contacts, skin) && !(thing && thing->body.asleep))
-        body_wake(contacts->skin[skin].body);
+    if (contacts_thing(contacts, skin))
+        return;
+    Body* body = contacts->skin[skin].body;
+    const bool is_ball = other == NONE, is_thing = !is_ball && contacts_thing(contacts, other);
+    if (is_ball || (is_thing ? !contacts->skin[other].body->asleep : body->asleep))
+        body_wake(body);
 }
 
 /// Allocate what only scenes with balls need, at the first ball.

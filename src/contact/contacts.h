@@ -104,7 +104,7 @@ static inline Thing* contacts_thing(const Contacts* contacts, int skin) {
 }
 
 /// Wake a skin that another one touches, or a ball (NONE). A thing has no sleep to wake from, and
-/// one at rest wakes nothing.
+/// one at rest wakes nothing. What is awake may yet fall asleep by another balloon, with it.
 void contacts_wake(Contacts* contacts, int skin, int other);
 
 /// Add a ball. It is outside or inside each closed skin, by its winding number, and stays there.
@@ -152,6 +152,18 @@ static inline double contacts_fall_time(const Contacts* contacts, double h) {
 
 /// The paper's penalty, if that is the law: call after the skins have drifted.
 void contacts_penalty(Contacts* contacts, double h);
+
+/// Island of a ball or a skin among the contacts of the last part; NONE: it may touch nothing.
+static inline int contacts_island(const Contacts* contacts, int side) {
+    return contacts->contact_count > 0 ? islands_of_side(&contacts->islands, side) : NONE;
+}
+
+/// Whether two skins are one or of one island.
+static inline bool contacts_join(const Contacts* contacts, int a, int b) {
+    const int island = contacts_island(contacts, contacts->sphere_count + a);
+    return a == b ||
+           (island != NONE && contacts_island(contacts, contacts->sphere_count + b) == island);
+}
 
 /// Remember the balls as they are, and put them back; balls added since then go.
 void contacts_keep(Contacts* contacts);

@@ -33,10 +33,6 @@ static void reserve(Groups* groups, int sides, int terms) {
     }
 }
 
-static int island_of(const Contacts* contacts, int side) {
-    return contacts->contact_count ? islands_of_side(&contacts->islands, side) : NONE;
-}
-
 /// A new group; its terms are the island's contacts.
 static int add_group(Groups* groups, const Contacts* contacts, int island) {
     Group* group = &groups->group[groups->count];
@@ -57,7 +53,7 @@ static void number_groups(Groups* groups, const System* system, const Contacts* 
     for (int i = 0; contacts->contact_count && i < contacts->islands.count; i++)
         groups->group_of_island[i] = NONE;
     for (int b = 0; b < system->body_count; b++) {
-        const int island = island_of(contacts, spheres + b);
+        const int island = contacts_island(contacts, spheres + b);
         int* number = &groups->group_of[spheres + b];
         *number = NONE;
         if (system->body[b]->asleep)
@@ -68,7 +64,7 @@ static void number_groups(Groups* groups, const System* system, const Contacts* 
             *number = add_group(groups, contacts, island);
     }
     for (int s = 0; s < spheres; s++) {
-        const int island = island_of(contacts, s);
+        const int island = contacts_island(contacts, s);
         groups->group_of[s] = island == NONE ? NONE : groups->group_of_island[island];
     }
 }

@@ -7,11 +7,9 @@
 static const double still_seconds = 0.5; ///< [s] time at rest before it sleeps
 
 void rest_wake_changed(World* world) {
-    for (int b = 0; b < world->balloon_count; b++) {
-        Balloon* balloon = &world->balloon[b];
-        if (balloon->body.asleep && balloon->body.inflation.amount != balloon->sleep_amount)
-            body_wake(&balloon->body);
-    }
+    for (Balloon* b = world->balloon; b < world->balloon + world->balloon_count; b++)
+        if (b->body.asleep && b->body.inflation.amount != b->sleep_amount)
+            body_wake(&b->body);
 }
 
 void rest_wake_all(World* world) {
@@ -37,15 +35,22 @@ static void sleep(Balloon* balloon) {
     balloon->sleep_amount = body->inflation.amount;
 }
 
+/// Whether a balloon and all in its island have been still for long enough.
+static bool may_sleep(const World* world, int balloon) {
+    for (int b = 0; b < world->balloon_count; b++)
+        if (contacts_join(&world->contacts, balloon, b) &&
+            world->balloon[b].body.still * GUARD_INTERVAL * world->step < still_seconds)
+            return false;
+    return true;
+}
+
 void rest_check(World* world) {
     if (world->def.sleep_threshold == 0 || world->step_count % GUARD_INTERVAL != 0)
         return;
-    for (int b = 0; b < world->balloon_count; b++) {
-        Body* body = &world->balloon[b].body;
-        if (body->asleep)
-            continue;
-        body->still = is_still(body, world->def.sleep_threshold) ? body->still + 1 : 0;
-        if (body->still * GUARD_INTERVAL * world->step >= still_seconds)
+    for (Balloon* b = world->balloon; b < world->balloon + world->balloon_count; b++)
+        if (!b->body.asleep)
+            b->body.still = is_still(&b->body, world->def.sleep_threshold) ? b->body.still + 1 : 0;
+    for (int b = 0; b < world->balloon_count; b++)
+        if (!world->balloon[b].body.asleep && may_sleep(world, b))
             sleep(&world->balloon[b]);
-    }
 }

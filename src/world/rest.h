@@ -1,13 +1,13 @@
-/// A balloon that has come to rest, and that nothing touches, sleeps: no force on it is computed,
-/// and it does not move.
+/// A balloon that has come to rest, and that nothing moves, sleeps: it costs no force and does not move.
 ///
-///     still    its fastest particle moves less than `rest` of its first size a second
-///     asleep   it was still at every check of half a second; its velocities are 0 from then on
-///     awake    when its amount of gas changes, a ball may touch it, or the user acts on the world
+///     still    its fastest particle moves less than `sleep_threshold` of its first size a second
+///     asleep   it and its island of contacts were still at every check of half a second; its
+///              velocities are 0 from then on
+///     awake    when its amount of gas changes, a ball or an awake balloon may touch it, or the user acts
 ///
-/// Sleep omits the remaining motion: for a motion that decays at the rate r [1/s], a displacement
-/// of less than rest / r of the balloon's size. Balloons sleep only in scenes with the key `rest`.
-/// The number of checks for which each balloon has been still is part of the state and its hash.
+/// Sleep omits a displacement of less than sleep_threshold / r of the balloon's size, for a motion that
+/// decays at the rate r [1/s]. Balloons sleep only in scenes with the key `sleep_threshold`. The checks for which
+/// each has been still are part of the state and its hash.
 #ifndef BALLOON_WORLD_REST_H
 #define BALLOON_WORLD_REST_H
 

@@ -22,6 +22,28 @@ static double sampled_distance(FeatureKind kind, const double4 x[4]) {
     return nearest;
 }
 
+typedef struct Momenta {
+    double4 linear, angular;
+    double linear_sum, angular_sum, kinetic;
+} Momenta;
+
+static Momenta momenta(const World* world) {
+    Momenta sum = {{0}, {0}, 0, 0, 0};
+    for (int b = 0; b < world->balloon_count; b++) {
+        const Body* body = &world->balloon[b].body;
+        for (int i = 0; i < body->count; i++) {
+            const double m = (double)body->mass[i];
+            const double4 p = m * to_double4(body->v[i]), l = dcross(to_double4(body->x[i]), p);
+            sum.linear += p;
+            sum.angular += l;
+            sum.linear_sum += dlength(p);
+            sum.angular_sum += dlength(l);
+            sum.kinetic += ddot(p, p) / (2 * m);
+        }
+    }
+    return sum;
+}
+
 static void features_have_their_distance(void** state) {
     (void)state;
     Random random = {1};
@@ -100,6 +122,29 @@ static void a_pair_is_never_nearer_than_its_bound(void** state) {
     world_close(&world);
 }
 
+/// The long form is `balloon bench heap`.
+static void a_heap_comes_to_rest_and_stays(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "heap", "balloons.0.model=icosphere:1", "balloons.1.model=icosphere:1",
+             "balloons.2.model=icosphere:1");
+    double highest = 0;
+    for (int n = 0; n < 40; n++) {
+        run_for(&world, 0.25);
+        highest = fmax(highest, momenta(&world).kinetic);
+    }
+    assert_true(momenta(&world).kinetic < 1e-6 * highest);
+    const char* const column[] = {"balloon0.cx", "balloon1.cx", "balloon2.cy", "balloon2.cz"};
+    double before[4];
+    for (int k = 0; k < 4; k++)
+        before[k] = probe(&world, column[k]);
+    run_for(&world, 3);
+    for (int k = 0; k < 4; k++) // a thousandth of its size in ten minutes
+        assert_near(probe(&world, column[k]), before[k], 1e-3 * 0.2 * 3 / 600);
+    assert_less(0.2, probe(&world, "balloon2.cy")); // it lies on the two others
+    world_close(&world);
+}
+
 static void without_contacts_it_crosses(void** state) {
     (void)state;
     World world;
@@ -111,34 +156,12 @@ static void without_contacts_it_crosses(void** state) {
     world_close(&world);
 }
 
-typedef struct Momenta {
-    double4 linear, angular;
-    double linear_sum, angular_sum, kinetic;
-} Momenta;
-
-static Momenta momenta(const World* world) {
-    Momenta sum = {{0}, {0}, 0, 0, 0};
-    for (int b = 0; b < world->balloon_count; b++) {
-        const Body* body = &world->balloon[b].body;
-        for (int i = 0; i < body->count; i++) {
-            const double m = (double)body->mass[i];
-            const double4 p = m * to_double4(body->v[i]), l = dcross(to_double4(body->x[i]), p);
-            sum.linear += p;
-            sum.angular += l;
-            sum.linear_sum += dlength(p);
-            sum.angular_sum += dlength(l);
-            sum.kinetic += ddot(p, p) / (2 * m);
-        }
-    }
-    return sum;
-}
-
 /// Two balloons of the heap, the others far away, fly at each other.
 static void fling(World* world, double speed, const char* step) {
     char text[40];
     snprintf(text, sizeof text, "step=%s", step);
-    WORLD_OF(world, "heap", text, "gravity=0", "floor=-100", "balloons.0.damping.rate=0",
-             "balloons.1.damping.rate=0", "balloons.2.damping.rate=0",
+    WORLD_OF(world, "heap", text, "gravity=0", "floor=-100", "walls=[]",
+             "balloons.0.damping.rate=0", "balloons.1.damping.rate=0", "balloons.2.damping.rate=0",
              "balloons.2.position=[0, 5, 0]", "balloons.1.position=[0.26, 0.15, 0.02]");
     for (int b = 0; b < 2; b++) {
         Body* body = &world->balloon[b].body;
@@ -174,7 +197,7 @@ static void a_hit_keeps_momenta_and_crosses_nothing(void** state) {
 static void skins_that_begin_crossed_touch_once_they_are_apart(void** state) {
     (void)state;
     World world;
-    WORLD_OF(&world, "heap", "gravity=0", "balloons.1.position=[0.15, 0.117, 0.011]",
+    WORLD_OF(&world, "heap", "gravity=0", "walls=[]", "balloons.1.position=[0.15, 0.117, 0.011]",
              "balloons.1.damping.rate=0", "balloons.0.damping.rate=0");
     assert_true(crossings(&world) > 0);
     world_step(&world);
@@ -199,6 +222,7 @@ int main(void) {
         cmocka_unit_test(features_have_their_distance),
         cmocka_unit_test(a_heap_never_crosses_by_any_method),
         cmocka_unit_test(a_pair_is_never_nearer_than_its_bound),
+        cmocka_unit_test(a_heap_comes_to_rest_and_stays),
         cmocka_unit_test(without_contacts_it_crosses),
         cmocka_unit_test(a_hit_keeps_momenta_and_crosses_nothing),
         cmocka_unit_test(skins_that_begin_crossed_touch_once_they_are_apart),

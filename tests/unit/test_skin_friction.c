@@ -115,7 +115,7 @@ static void a_rigid_motion_rubs_nothing(void** state) {
 static void a_rubbing_hit_keeps_momenta_and_takes_energy(void** state) {
     (void)state;
     World world;
-    WORLD_OF(&world, "heap", "gravity=0", "floor=-100", "contacts.friction=1.5",
+    WORLD_OF(&world, "heap", "gravity=0", "floor=-100", "walls=[]", "contacts.friction=1.5",
              "balloons.0.damping.rate=0", "balloons.1.damping.rate=0",
              "balloons.0.inflation={law: none}", "balloons.1.inflation={law: none}",
              "balloons.2.position=[0, 5, 0]", "balloons.1.position=[0.19, 0.2, 0.03]");
@@ -156,9 +156,10 @@ static double speed_on_slope(const char* method, double friction, double degrees
     snprintf(mu, sizeof mu, "contacts={others: true, friction: %g}", friction);
     snprintf(h, sizeof h, "step=%s", step);
     World world;
-    WORLD_OF(&world, "heap", by, h, mu, "floor=-100", "balloons.0.model=grid:6x6",
+    WORLD_OF(&world, "heap", by, h, mu, "floor=-100", "walls=[]", "balloons.0.model=grid:6x6",
              "balloons.0.inflation={law: none}", "balloons.1.model=cube:2",
-             "balloons.1.inflation={law: none}", "balloons.2.position=[0, 5, 0]");
+             "balloons.1.skin.springs.shear=20", "balloons.1.inflation={law: none}",
+             "balloons.2.position=[0, 5, 0]");
     const double angle = degrees * acos(-1) / 180;
     Body *sheet = &world.balloon[0].body, *box = &world.balloon[1].body;
     for (int i = 0; i < sheet->count; i++) {

@@ -85,12 +85,53 @@ static void a_ball_wakes_it(void** state) {
     world_close(&world);
 }
 
+static int count_asleep(const World* world) {
+    int count = 0;
+    for (int b = 0; b < world->balloon_count; b++)
+        count += world->balloon[b].body.asleep;
+    return count;
+}
+
+/// Two balloons that touch fall asleep at the same step; a third one falls onto them, they wake, and
+/// then all three sleep at the same step where they touch.
+static void balloons_that_touch_sleep_together_and_wake_by_touch(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "heap", "sleep_threshold=0.02", "balloons.0.model=icosphere:1",
+             "balloons.1.model=icosphere:1", "balloons.2.model=icosphere:1",
+             "walls.0.at=[-0.097, 0, 0]", "walls.1.at=[0.297, 0, 0]",
+             "balloons.1.position=[0.2005, 0.11, 0]", "balloons.2.position=[0.1, 15, 0.01]");
+    bool together = false, woken = false, all = false;
+    for (int n = 0; n < 14000 && !all; n++) {
+        const int before = count_asleep(&world);
+        world_step(&world);
+        const int after = count_asleep(&world);
+        if (probe(&world, "balloon2.cy") > 1) {
+            assert_true(after == before || (before == 0 && after == 2));
+            together |= after == 2;
+        }
+        woken |= together && after == 0;
+        assert_true(!woken || after == 0 || after == 3);
+        all = woken && after == 3;
+    }
+    assert_true(together);
+    assert_true(woken);
+    assert_true(all);
+    const uint64_t hash = world_hash(&world);
+    run_for(&world, 1);
+    assert_true(world_hash(&world) == hash);
+    assert_near(probe(&world, "crossings"), 0, 0);
+    assert_less(0.2, probe(&world, "balloon2.cy")); // it lies on the two
+    world_close(&world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_balloon_at_rest_sleeps_where_it_would_be),
         cmocka_unit_test(a_key_wakes_it),
         cmocka_unit_test(gas_wakes_it),
         cmocka_unit_test(a_ball_wakes_it),
+        cmocka_unit_test(balloons_that_touch_sleep_together_and_wake_by_touch),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

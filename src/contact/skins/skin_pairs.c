@@ -11,7 +11,6 @@ static const double gap_share = 0.1;     ///< [shortest edges] rest gap of a ski
 static const double gap_min = 1e-4;      ///< [mean edges] least rest gap
 static const double margin_self = 0.2;   ///< [mean edges] of the list of a skin with itself
 static const double margin_others = 0.4; ///< [mean edges] of a list of two skins
-static const double keep_share = 0.1;    ///< [1] of its distance that a pair keeps in a drift
 static const double forecast = 2;        ///< [drifts] that a list should hold
 enum {
     HALVINGS_MAX = 60,
@@ -213,6 +212,13 @@ static void reserve_near(PairList* list) {
     list->near_from = new_array(double, list->capacity);
 }
 
+static void clear_list(Contacts* contacts, int a, int b) {
+    PairList* list = list_of(contacts, a, b);
+    contacts->skin_pairs.count -= list->count;
+    list->count = 0;
+    list->valid = false;
+}
+
 static void make_list(Contacts* contacts, int a, int b, double longest) {
     SkinPairs* pairs = &contacts->skin_pairs;
     PairList* list = list_of(contacts, a, b);
@@ -222,8 +228,7 @@ static void make_list(Contacts* contacts, int a, int b, double longest) {
     const double margin = (a == b ? margin_self : margin_others) * scale;
     const double gap = skin_pairs_rest_gap(contacts, a, b);
     const double apart = a == b ? 0 : box_distance(&contacts->skin[a], &contacts->skin[b]);
-    pairs->count -= list->count;
-    list->count = 0;
+    clear_list(contacts, a, b);
     list->valid = true;
     list->from[0] = *skin_motion_measure(contacts, a, 0);
     list->from[1] = *skin_motion_measure(contacts, b, 0);
@@ -238,6 +243,17 @@ static void make_list(Contacts* contacts, int a, int b, double longest) {
         list->near_from[k] = list->pair[k].distance - list->pair[k].rest_gap;
 }
 
+/// Whether two features of the two are at one point: which side either is on is not known.
+static bool meet(Contacts* contacts, int a, int b, double longest) {
+    PairList* list = list_of(contacts, a, b);
+    make_list(contacts, a, b, longest);
+    bool any = false;
+    for (int k = 0; k < list->count; k++)
+        any |= !(list->pair[k].distance > 0);
+    clear_list(contacts, a, b);
+    return any;
+}
+
 /// At the start, and now and then of those that did: whether they cross.
 static void look_for_crossed(Contacts* contacts, double longest) {
     SkinPairs* pairs = &contacts->skin_pairs;
@@ -250,7 +266,7 @@ static void look_for_crossed(Contacts* contacts, double longest) {
                 continue;
             fit(contacts, a, longest);
             fit(contacts, b, longest);
-            list->crossed = skin_pairs_cross(contacts, a, b);
+            list->crossed = skin_pairs_cross(contacts, a, b) || meet(contacts, a, b, longest);
         }
 }
 
@@ -273,58 +289,6 @@ void skin_pairs_update(Contacts* contacts, double h) {
         for (int b = a; b < contacts->skin_count; b++)
             if (made[a * contacts->skin_count + b])
                 make_list(contacts, a, b, longest);
-}
-
-/// Measure a pair where it is now.
-static void measure(const Contacts* contacts, PairList* list, int k) {
-    FeaturePair* pair = &list->pair[k];
-    double4 x[FEATURE_NODES], away = {0};
-    for (int n = 0; n < FEATURE_NODES; n++)
-        x[n] = to_double4(contacts->skin[pair->skin[n >= (int)pair->kind]].body->x[pair->node[n]]);
-    pair->distance = feature_distance(pair->kind, x, pair->weight);
-    for (int n = 1; n < FEATURE_NODES; n++) // the weights sum to 0
-        away += pair->weight[n] * (x[n] - x[0]);
-    pair->normal = away / dlength(away);
-    pair->measured = contacts->skin_pairs.drifts;
-    list->near_from[k] = list->moved + pair->distance - pair->rest_gap;
-}
-
-void skin_pairs_each_near(Contacts* contacts, double h, double share, PairVisit* visit,
-                          void* self) {
-    if (contacts->skin_pairs.count == 0)
-        return;
-    skin_motion_measure_velocities(contacts);
-    for (int a = 0; a < contacts->skin_count; a++)
-        for (int b = a; b < contacts->skin_count; b++) {
-            PairList* list = list_of(contacts, a, b);
-            if (contacts->skin[a].body->asleep && contacts->skin[b].body->asleep)
-                continue;
-            const double until = list->moved + skin_motion_relative(contacts, a, b, h) +
-                                 share * skin_pairs_rest_gap(contacts, a, b);
-            for (int k = 0; k < list->count; k++) {
-                if (list->near_from[k] > until)
-                    continue;
-                if (list->pair[k].measured != contacts->skin_pairs.drifts)
-                    measure(contacts, list, k);
-                visit(contacts, &list->pair[k], self);
-            }
-        }
-}
-
-double skin_pairs_safe_part(const Contacts* contacts, const FeaturePair* pair, double h) {
-    double4 x[FEATURE_NODES], dx[FEATURE_NODES], end[FEATURE_NODES];
-    for (int k = 0; k < FEATURE_NODES; k++) {
-        const Body* body = contacts->skin[pair->skin[k >= (int)pair->kind]].body;
-        const real4 at = body->x[pair->node[k]];
-        end[k] = to_double4(body->asleep ? at : at + (real)h * body->v[pair->node[k]]);
-        x[k] = to_double4(at);
-        dx[k] = end[k] - x[k];
-    }
-    // where a plane separates the two at both ends, it does between them: paths are straight
-    const double kept = keep_share * fmin(pair->distance, pair->rest_gap);
-    if (feature_separation(pair->kind, end, pair->normal) >= kept)
-        return 1;
-    return feature_safe_part(pair->kind, x, dx, keep_share);
 }
 
 void skin_pairs_forget(Contacts* contacts) {

@@ -6,8 +6,8 @@
 /// gap. Features that share a vertex are no pair; two triangles that share one begin to cross where
 /// other features of them meet.
 ///
-/// Two skins that cross at the start have no list until they have come apart, nor has a skin that
-/// crosses itself: what is inside and what outside is not known of them.
+/// Two skins that cross or meet at the start have no list until they have come apart, nor has a skin
+/// that crosses itself: what is inside and what outside is not known of them.
 #ifndef BALLOON_CONTACT_SKINS_SKIN_PAIRS_H
 #define BALLOON_CONTACT_SKINS_SKIN_PAIRS_H
 

@@ -26,6 +26,7 @@ extern const BenchCase bench_contacts;
 extern const BenchCase bench_contact_cost;
 extern const BenchCase bench_contact_hour;
 extern const BenchCase bench_guard;
+extern const BenchCase bench_heap;
 extern const BenchCase bench_scenes;
 extern const BenchCase bench_table1;
 extern const BenchCase bench_soak;
