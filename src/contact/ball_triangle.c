@@ -80,5 +80,4 @@ void ball_triangle_contact(Contact* contact, Sphere* sphere, Body* body, int tri
     }
     contact->lever[0] =
         (ContactLever){-distance * normal, &sphere->spin, 1 / sphere_inertia(sphere)};
-    contact_set_masses(contact);
 }

@@ -8,7 +8,8 @@
 
 /// Node 0 is the ball's centre c, nodes 1 to 3 are the corners of the triangle with minus the
 /// barycentric weights of its point p nearest c; n points from p to c and the gap is
-/// |c - p| - radius. Where c lies in the triangle's plane, n is the triangle's normal times `side`.
+/// |c - p| - radius. Where c lies in the triangle's plane, n is the triangle's normal times `side`. The
+/// effective masses are left to contact_set_masses: most near triangles touch nothing.
 void ball_triangle_contact(Contact* contact, Sphere* sphere, Body* body, int triangle, real side);
 
 #endif

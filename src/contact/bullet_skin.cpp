@@ -129,7 +129,12 @@ struct BulletSkin {
     void sort_along_curve(const int (*triangle)[3], int triangle_count, int point_count);
     void collect_particles();
     void refit_node(btDbvtNode* node, real margin);
-    Box box(int i) const;
+    /// Box of triangle i of the patches' order; inlined into the searches' loops.
+    Box box(int i) const {
+        const int* point = corners[(size_t)i].point;
+        const real4 a = x[point[0]], b = x[point[1]], c = x[point[2]];
+        return {lower(lower(a, b), c), higher(higher(a, b), c)};
+    }
     void collect_nearby(int patch, const Box& other, real reach,
                         std::vector<std::pair<int, Box>>* list) const;
     void search_patches(int patch, const BulletSkin& other, int other_patch, real reach);
@@ -197,13 +202,6 @@ void BulletSkin::refit(real margin) {
         whole = {lower(whole.low, box.low), higher(whole.high, box.high)};
     }
     refit_node(tree.m_root, margin);
-}
-
-/// Box of triangle i of the patches' order.
-Box BulletSkin::box(int i) const {
-    const int* point = corners[(size_t)i].point;
-    const real4 a = x[point[0]], b = x[point[1]], c = x[point[2]];
-    return {lower(lower(a, b), c), higher(higher(a, b), c)};
 }
 
 void BulletSkin::search_patch(int patch, real4 center, real reach) {

@@ -51,23 +51,30 @@ static void join(const Contact* c) {
         *c->node[k].velocity = v;
 }
 
+/// Join the pairs that cross. Returns whether any did.
+static bool join_crossing(const Contact* list, int count, double h) {
+    bool any = false;
+    for (int k = 0; k < count; k++)
+        if (ccd_passes_through(&list[k], h)) {
+            join(&list[k]);
+            any = true;
+        }
+    return any;
+}
+
 /// Join all pairs that cross until none does. False if the iterations run out.
-static bool stop_all(const Contact* near, int count, double h) {
+static bool stop_all(const Contact* contact, int count, const Contact* near, int near_count,
+                     double h) {
     for (int n = 0; n < MAX_ITERATIONS; n++) {
-        bool any = false;
-        for (int k = 0; k < count; k++)
-            if (ccd_passes_through(&near[k], h)) {
-                join(&near[k]);
-                any = true;
-            }
-        if (!any)
+        const bool crossed = join_crossing(contact, count, h);
+        if (!join_crossing(near, near_count, h) && !crossed)
             return true;
     }
     return false;
 }
 
-double ccd_stop(const Contact* near, int count, double h) {
-    while (!stop_all(near, count, h) && h > min_drift)
+double ccd_stop(const Contact* contact, int count, const Contact* near, int near_count, double h) {
+    while (!stop_all(contact, count, near, near_count, h) && h > min_drift)
         h /= 2;
     return h;
 }

@@ -9,8 +9,8 @@
 bool ccd_passes_through(const Contact* contact, double h);
 
 /// Where the solver left a crossing, give the ball and the triangle's particles their common linear
-/// momentum, as in a plastic impact. Repeated over the near triangles until no path crosses; if the
-/// iterations run out, the drift is halved. Returns how much of h may be drifted.
-double ccd_stop(const Contact* near, int count, double h);
+/// momentum, as in a plastic impact. Repeated over the contacts and the other near triangles until no
+/// path crosses; if the iterations run out, the drift is halved. Returns how much of h may be drifted.
+double ccd_stop(const Contact* contact, int count, const Contact* near, int near_count, double h);
 
 #endif

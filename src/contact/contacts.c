@@ -308,6 +308,7 @@ void contacts_close(Contacts* contacts) {
     free(contacts->start);
     free(contacts->pair);
     free(contacts->contact);
+    free(contacts->near);
     free(contacts->candidate);
     free(contacts->warm.impulse);
     islands_close(&contacts->islands);

@@ -68,10 +68,10 @@ typedef struct Contacts {
     double kicked;     ///< length of the substep that the last kick was for [s]
     bool skins_kicked; ///< since the last drift
     int part;          ///< of that drift, which contacts of skins divide
-    int contact_count; ///< contacts that may touch in this part
-    int near_count;    ///< those, and behind them the triangles that are near
-    int contact_capacity;
-    Contact* contact; ///< [contact_capacity]
+    int contact_count, contact_capacity;
+    Contact* contact; ///< [contact_capacity] that may touch in this part
+    int near_count, near_capacity;
+    Contact* near; ///< [near_capacity] of balls and triangles that are near and cannot touch in it
     int candidate_capacity;
     int* candidate;  ///< [candidate_capacity] features that a search found
     Islands islands; ///< of the contacts that may touch

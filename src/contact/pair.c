@@ -7,20 +7,18 @@ const PairRow* const pair_table[PAIR_ROWS] = {
 };
 
 Contact* pair_next(Contacts* contacts) {
-    array_reserve(contacts->contact, contacts->near_count, contacts->contact_capacity);
-    return &contacts->contact[contacts->near_count];
+    array_reserve(contacts->contact, contacts->contact_count, contacts->contact_capacity);
+    return &contacts->contact[contacts->contact_count];
 }
 
 void pair_keep(Contacts* contacts, bool may_touch, double h) {
-    Contact* end = &contacts->contact[contacts->near_count++];
-    if (!may_touch)
+    Contact* contact = &contacts->contact[contacts->contact_count];
+    if (!may_touch) {
+        array_reserve(contacts->near, contacts->near_count, contacts->near_capacity);
+        contacts->near[contacts->near_count++] = *contact;
         return;
-    if (!end->first)
-        warm_start_load(&contacts->warm, end, h);
-    Contact* behind = &contacts->contact[contacts->contact_count++]; // the first that stays behind
-    if (behind != end) {
-        const Contact moved = *behind;
-        *behind = *end;
-        *end = moved;
     }
+    if (!contact->first)
+        warm_start_load(&contacts->warm, contact, h);
+    contacts->contact_count++;
 }

@@ -45,9 +45,9 @@ extern const PairRow* const pair_table[PAIR_ROWS];
 /// rising order of their pairs and features.
 Contact* pair_next(Contacts* contacts);
 
-/// Add the contact that pair_next gave. If it may touch in a drift of length h, it goes to the front
-/// of the list, for the solver, with the impulse that its pair had in the last part; else it stays
-/// behind, for the limits of the drift.
+/// Add the contact that pair_next gave. If it may touch in a drift of length h, it stays in the list
+/// for the solver, with the impulse that its pair had in the last part; else it goes to the list of
+/// near triangles, for the limits of the drift.
 void pair_keep(Contacts* contacts, bool may_touch, double h);
 
 /// [radii] by which the two may come nearer than touching in a substep.

@@ -120,8 +120,10 @@ static void gather_pair(Contacts* contacts, int row, int s, int b, double h) {
         else if (may_touch)
             contact->min_bounce_speed =
                 bounce_kicks * kick_speed(contact, skin, contacts->skins_kicked, fall);
-        if (may_touch)
+        if (may_touch) {
+            contact_set_masses(contact);
             contacts_wake(contacts, b, NONE);
+        }
         pair_keep(contacts, may_touch, h);
     }
     pair->touching = touching;
@@ -155,10 +157,10 @@ static double limit_by_unsearched(Contacts* contacts, double h) {
     return h;
 }
 
-/// How much of h may be drifted so that no gathered triangle enters the core of a ball.
-static double limit_by_near(const Contacts* contacts, double h) {
-    for (int k = 0; k < contacts->near_count; k++) {
-        const Contact* c = &contacts->contact[k];
+/// How much of h may be drifted so that no triangle of the list enters the core of a ball.
+static double limit_by(const Contact* list, int count, double h) {
+    for (int k = 0; k < count; k++) {
+        const Contact* c = &list[k];
         if (!pair_has_triangle(c))
             continue;
         const double radius = (double)c->size;
@@ -173,13 +175,16 @@ static double limit_by_near(const Contacts* contacts, double h) {
 static double limit_drift(Contacts* contacts, double h) {
     if (contacts->sphere_count == 0 || contacts->law == CONTACT_PAPER)
         return h;
-    h = ccd_stop(contacts->contact, contacts->near_count, limit_by_near(contacts, h));
+    h = limit_by(contacts->contact, contacts->contact_count, h);
+    h = limit_by(contacts->near, contacts->near_count, h);
+    h = ccd_stop(contacts->contact, contacts->contact_count, contacts->near, contacts->near_count,
+                 h);
     return limit_by_unsearched(contacts, h);
 }
 
-static void count_passes(Contacts* contacts, double h) {
-    for (int k = 0; k < contacts->near_count; k++) {
-        const Contact* c = &contacts->contact[k];
+static void count_passes_of(Contacts* contacts, const Contact* list, int count, double h) {
+    for (int k = 0; k < count; k++) {
+        const Contact* c = &list[k];
         if (!pair_has_triangle(c) || !ccd_passes_through(c, h))
             continue;
         ContactPair* pair = &contacts->pair[c->pair];
@@ -187,6 +192,11 @@ static void count_passes(Contacts* contacts, double h) {
         if (pair->present_side != pair->side)
             contacts->pass_throughs++;
     }
+}
+
+static void count_passes(Contacts* contacts, double h) {
+    count_passes_of(contacts, contacts->contact, contacts->contact_count, h);
+    count_passes_of(contacts, contacts->near, contacts->near_count, h);
 }
 
 const PairRow pair_ball_skin = {

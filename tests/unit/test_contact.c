@@ -9,6 +9,7 @@ static const Sphere ball = {.radius = 0.3, .mass = 0.02, .restitution = 0.5, .fr
 static Contact contact_of(Sphere* sphere, Body* body, int triangle, real side) {
     Contact contact;
     ball_triangle_contact(&contact, sphere, body, triangle, side);
+    contact_set_masses(&contact);
     return contact;
 }
 
