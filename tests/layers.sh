@@ -10,8 +10,9 @@ declare -A may=(
     [force]="base mesh body force"
     [solve/multigrid]="base mesh force solve/multigrid"
     [constraint]="base mesh body force constraint"
-    [contact]="base mesh body contact contact/skins contact/things"
-    [contact/skins]="base mesh body contact contact/skins contact/things" [contact/things]="base mesh body contact/things"
+    [contact/bullet]="base contact contact/bullet"
+    [contact]="base mesh body contact contact/bullet contact/skins contact/things"
+    [contact/skins]="base mesh body contact contact/bullet contact/skins contact/things" [contact/things]="base mesh body contact/things"
     [solve]="base mesh body force constraint contact solve/multigrid solve"
     [scene]="base mesh body force solve contact scene"
     [world]="base mesh body force solve constraint contact contact/skins scene world"
@@ -32,7 +33,7 @@ declare -A may=(
 declare -A library=(
     [assimp]="mesh" [yaml.h]="scene" [cglm]="view" [EGL]="draw" [GL/]="draw"
     [imgui]="hud" [GLFW]="show" [X11/]="show/display.c" [png.h]="show" [suitesparse]="solve/factor.c"
-    [bt]="contact lab/peer/peer.cpp" [Bullet]="contact lab/peer/peer.cpp"
+    [bt]="contact/bullet lab/peer/peer.cpp" [Bullet]="contact/bullet lab/peer/peer.cpp"
 )
 
 # may_include FILE FOLDER OTHER

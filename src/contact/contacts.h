@@ -15,7 +15,7 @@
 #define BALLOON_CONTACT_CONTACTS_H
 
 #include "body/body.h"
-#include "contact/bullet.h"
+#include "contact/bullet/trees.h"
 #include "contact/contact.h"
 #include "contact/contact_law.h"
 #include "contact/islands.h"

@@ -1,7 +1,7 @@
 /// The broad phase misses no triangle near a ball: it finds all within reach, compared with brute
 /// force in double, and some more whose boxes are within reach.
 #include "bodies.h"
-#include "contact/bullet.h"
+#include "contact/bullet/trees.h"
 
 static double to_segment(double4 p, double4 a, double4 b) {
     const double4 ab = b - a;

@@ -1,10 +1,10 @@
-#include "contact/bullet_tree.hpp"
+#include "contact/bullet/tree.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "contact/bullet.h"
+#include "contact/bullet/trees.h"
 
 namespace {
 

@@ -1,9 +1,9 @@
-#include "contact/bullet_tree.hpp"
+#include "contact/bullet/tree.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "contact/bullet.h"
+#include "contact/bullet/trees.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 /// follow the skin and stand in one tree. The balls stand in another, in the boxes of their paths.
 /// Bullet's test of a sphere against each triangle is not used: it found nothing that the contact's
 /// nearest point does not find again, and took 60 % of the time of all contacts.
-#ifndef BALLOON_CONTACT_BULLET_H
-#define BALLOON_CONTACT_BULLET_H
+#ifndef BALLOON_CONTACT_BULLET_TREES_H
+#define BALLOON_CONTACT_BULLET_TREES_H
 
 #include "contact/sphere.h"
 
