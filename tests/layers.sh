@@ -27,7 +27,7 @@ declare -A may=(
     [draw]="base view draw"
     [hud]="base view hud"
     [show]="base world lab/run lab/truth lab/stability lab/advice lab/bench view draw hud show"
-    [cli]="base mesh body force solve scene world lab/run lab/chart lab/stability lab/advice lab/bench lab/peer view show cli"
+    [cli]="base mesh body force contact/skins solve scene world lab/run lab/chart lab/stability lab/advice lab/bench lab/peer view show cli"
 )
 # the folders that may include a library, or the one file of a folder that may
 declare -A library=(

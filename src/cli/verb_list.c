@@ -3,6 +3,7 @@
 
 #include "cli/bench_table.h"
 #include "cli/verb.h"
+#include "contact/skins/crossings.h"
 #include "force/force.h"
 #include "lab/chart/chart_case.h"
 #include "mesh/load.h"
@@ -13,6 +14,28 @@
 #include "world/fails.h"
 #include "world/outputs.h"
 #include "world/record.h"
+
+/// Number of a triangle's face, from 1 in the order of the file.
+static int face_of_triangle(const Mesh* mesh, int triangle) {
+    int face = 0;
+    for (int triangles = 0; face < mesh->face_count && triangles <= triangle; face++)
+        triangles += face_corners(mesh->face[face]) - 2;
+    return face;
+}
+
+/// Crossings of the mesh with itself: such a skin does not touch itself until it has come apart.
+static void print_crossings(const Mesh* mesh) {
+    Body body;
+    body_make(&body, mesh, &(Placement){.scale = 1}, 1);
+    const Crossings crossings = crossings_of_skin(&body);
+    printf("crossing pairs of triangles: %d", crossings.count);
+    const int a = face_of_triangle(mesh, crossings.triangle[0]),
+              b = face_of_triangle(mesh, crossings.triangle[1]);
+    if (crossings.count > 0)
+        printf(", the first of faces %d and %d", a < b ? a : b, a < b ? b : a);
+    printf("\n");
+    body_free(&body);
+}
 
 bool verb_check(const Options* options, Fault* fault) {
     Mesh mesh = {0};
@@ -41,6 +64,7 @@ bool verb_check(const Options* options, Fault* fault) {
         else
             printf("%s springs: too many to be made, up to %.3g\n", spring_kind_name[kind], paths);
     springs_free(&springs);
+    print_crossings(&mesh);
     mesh_free(&mesh);
     return true;
 }

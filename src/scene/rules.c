@@ -87,8 +87,8 @@ static bool no_way_to_go(const WorldDef* world, const BalloonDef* balloon) {
 }
 
 static bool touches_and_is_moved(const WorldDef* world, const BalloonDef* balloon) {
-    return (world->contacts.self || world->contacts.others) && balloon->skin.membrane &&
-           balloon->skin.membrane->volume == VOLUME_GLOBAL;
+    return (world->contacts.self || world->contacts.others || world->things_count > 0) &&
+           balloon->skin.membrane && balloon->skin.membrane->volume == VOLUME_GLOBAL;
 }
 
 // clang-format off
@@ -98,7 +98,7 @@ static const Rule rule_table[] = {
     {"mass", "a membrane has the mass of its rubber, from density and thickness", two_masses},
     {"skin.springs", "no kind of spring has a stiffness; give one, as in {structural: 50}",
      no_stiffness},
-    {"skin.membrane", "skins that touch need `volume: local`; `global` moves particles after contacts "
+    {"skin.membrane", "a skin that touches skins or things needs `volume: local`; `global` moves particles after contacts "
                       "have been solved", touches_and_is_moved},
     {"strings", "a string needs a skin that holds its particle, as in "
                 "skin: {springs: {structural: 50}}", tied_without_skin},

@@ -27,7 +27,10 @@ typedef struct Overlay {
     char title[OVERLAY_TEXT]; ///< the scene's title
     int row_count;
     OverlayRow row[OVERLAY_ROWS];
-    bool help_visible; ///< the help box with all keys
+    bool has_crossings;   ///< the scene has skins that touch
+    double crossings;     ///< when last counted
+    long crossings_clock; ///< the world's clock then, plus 1; 0: never
+    bool help_visible;    ///< the help box with all keys
     int key_count;
     OverlayKey key[OVERLAY_KEYS];
     const LabPanel* lab_panel; ///< hidden while the help box is visible; NULL: none

@@ -1,10 +1,13 @@
 #include "view/status.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "mesh/measure.h"
 #include "world/probe.h"
+
+static const double crossing_seconds = 0.2; ///< [s] simulated, between two counts of crossings
 
 static void title(Overlay* overlay, const World* world) {
     const char* slash = strrchr(world->def.file, '/');
@@ -95,6 +98,19 @@ static void ball_rows(Overlay* overlay, const World* world, const Thrower* throw
     overlay_row(overlay, "pass-throughs", "%ld", contacts->pass_throughs);
 }
 
+/// Crossings of skins that touch, which must be 0 but for those that began crossed. Counted a few
+/// times a second: it takes a search through all skins.
+static void crossing_row(Overlay* overlay, const World* world) {
+    const long interval = lround(crossing_seconds / world->step) + 1;
+    if (overlay->crossings_clock == 0 || world->clock < overlay->crossings_clock - 1 ||
+        world->clock >= overlay->crossings_clock - 1 + interval) {
+        overlay->has_crossings = probe_value(world, "crossings", &overlay->crossings);
+        overlay->crossings_clock = world->clock + 1;
+    }
+    if (overlay->has_crossings)
+        overlay_row(overlay, "crossings", "%.0f", overlay->crossings);
+}
+
 /// The sentence at the lower edge: a blowup, else the message to the user, else a pass-through.
 static void message(Overlay* overlay, const World* world, const char* user_message) {
     const long count = world->contacts.pass_throughs;
@@ -116,6 +132,7 @@ void status_fill(Overlay* overlay, const World* world, const Picture* picture,
     mode_row(overlay, world, picture, status->mode);
     balloon_rows(overlay, world);
     ball_rows(overlay, world, status->thrower);
+    crossing_row(overlay, world);
     if (status->compared && status->compared[0])
         overlay_row(overlay, "ghost", "%s", status->compared);
     message(overlay, world, status->message);

@@ -164,7 +164,7 @@ static double thing_force(const OutputSubject* s, int axis) {
 static double seconds(SUBJECT) { return world_time(s->world); }
 static double taken_back(SUBJECT) { return (double)s->world->guard.taken_back; }
 static double pass_throughs(SUBJECT) { return (double)s->world->contacts.pass_throughs; }
-static double crossings(SUBJECT) { return crossings_count(&s->world->contacts); }
+static double crossings(SUBJECT) { return crossings_find(&s->world->contacts, false).count; }
 static double x(SUBJECT) { return sphere_component(s, false, 0); }
 static double y(SUBJECT) { return sphere_component(s, false, 1); }
 static double z(SUBJECT) { return sphere_component(s, false, 2); }

@@ -100,24 +100,11 @@ static bool open_thing(World* world, unsigned number, Fault* fault) {
     return true;
 }
 
-/// Why the scene's contacts or skins know no things, or NULL.
-static const char* refusal(const WorldDef* def) {
-    if (def->contact == CONTACT_PAPER)
-        return "the penalty `contact: paper` knows no things; take `contact: impulse`";
-    for (unsigned b = 0; b < def->balloons_count; b++) {
-        const MembraneDef* membrane = def->balloons[b].skin.membrane;
-        if (membrane && membrane->volume == VOLUME_GLOBAL)
-            return "a skin that touches things needs `volume: local`; `global` moves particles "
-                   "after "
-                   "contacts have been solved";
-    }
-    return NULL;
-}
-
 bool things_open(World* world, Fault* fault) {
-    const char* why = world->def.things_count > 0 ? refusal(&world->def) : NULL;
-    if (why)
-        return fault_set(fault, world->def.file, "things: %s", why);
+    if (world->def.things_count > 0 && world->def.contact == CONTACT_PAPER)
+        return fault_set(
+            fault, world->def.file,
+            "things: the penalty `contact: paper` knows no things; take `contact: impulse`");
     world->thing = new_array(Thing, world->def.things_count);
     for (unsigned k = 0; k < world->def.things_count; k++)
         if (!open_thing(world, k, fault))

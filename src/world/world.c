@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "contact/ball_start.h"
 #include "contact/reaction.h"
+#include "contact/skins/crossings.h"
 #include "force/inflation.h"
 #include "world/command.h"
 #include "world/rest.h"
@@ -60,6 +61,15 @@ static void open_contacts(World* world) {
     }
 }
 
+/// Say which skins that may touch cross at the start: few scenes mean that. (None crosses a thing.)
+static void notice_crossings(World* world) {
+    const Crossings found = crossings_find(&world->contacts, true);
+    if (found.count > 0)
+        crossings_say(&found, world->balloon[found.skin[0]].def->model,
+                      world->balloon[found.skin[1]].def->model, world->notice,
+                      sizeof world->notice);
+}
+
 /// The balloons as the system that the method steps.
 static void open_system(World* world) {
     System* system = &world->system;
@@ -103,6 +113,7 @@ bool world_open(World* world, WorldDef* def, Fault* fault) {
         return false;
     }
     begin(world);
+    notice_crossings(world);
     return true;
 }
 

@@ -126,6 +126,11 @@ printf "${cube}f 1 2 3 9\n" >"$scratch/index.obj"
 printf "${cube}f 1\n" >"$scratch/one.obj"
 printf "${cube}f 1 2\n" >"$scratch/two.obj"
 printf "${cube}v 0 2 0\nf 1 2 3 4 5\n" >"$scratch/five.obj"
+# two tetrahedra, one through the other; the fourth face of the first crosses the first of the second
+printf 'v %s\n' '0 0 0' '1 0 0' '0 1 0' '0 0 1' '0.2 0.2 -0.5' '1.2 0.2 -0.5' '0.2 1.2 -0.5' '0.2 0.2 0.5' >"$scratch/through.obj"
+printf 'f %s\n' '1 3 2' '1 2 4' '1 4 3' '2 3 4' '5 7 6' '5 6 8' '5 8 7' '6 7 8' >>"$scratch/through.obj"
+ok "check counts and names the triangles that cross" grep -qE "^crossing pairs of triangles: [1-9][0-9]*, the first of faces [1-4] and [5-8]$" <("$balloon" check "$scratch/through.obj")
+ok "a shape crosses nothing" grep -qx "crossing pairs of triangles: 0" <("$balloon" check torus:24x12)
 bad "nowhere.obj" "$balloon" check "$scratch/nowhere.obj"
 bad "empty.obj.*empty" "$balloon" check "$scratch/empty.obj"
 bad "binary.obj" "$balloon" check "$scratch/binary.obj"

@@ -94,12 +94,40 @@ static void balls_are_counted_and_a_pass_through_is_said(void** state) {
     studio_close(&studio);
 }
 
+/// They are counted a few times a second, and at the first frame.
+static void crossings_are_counted_where_skins_touch(void** state) {
+    (void)state;
+    Studio studio;
+    Overlay overlay = {0};
+    const Status status = {.mode = &mode_skin, .slowdown = 1, .message = ""};
+    STUDIO(&studio, "tether");
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_null(row(&overlay, "crossings"));
+    studio_close(&studio);
+
+    overlay = (Overlay){0};
+    STUDIO(&studio, "heap", "balloons.1.position=[0.15, 0.117, 0.011]");
+    assert_non_null(
+        strstr(studio.world.notice, "balloons.0 (icosphere:2) crosses balloons.1 (icosphere:2)"));
+    status_fill(&overlay, &studio.world, &studio.picture, &status);
+    assert_true(atoi(row(&overlay, "crossings")) > 10);
+    for (int i = 0; i < studio.world.balloon[1].body.count; i++)
+        studio.world.balloon[1].body.x[i][1] += 3;
+    for (int k = 0; k < 2; k++) {
+        status_fill(&overlay, &studio.world, &studio.picture, &status);
+        assert_true((atoi(row(&overlay, "crossings")) == 0) == (k == 1));
+        studio.world.clock += 1000;
+    }
+    studio_close(&studio);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mode_of_rubber_passes_springs_by),
         cmocka_unit_test(a_scale_says_its_ends_and_unit),
         cmocka_unit_test(a_bad_state_is_said_before_any_message),
         cmocka_unit_test(balls_are_counted_and_a_pass_through_is_said),
+        cmocka_unit_test(crossings_are_counted_where_skins_touch),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

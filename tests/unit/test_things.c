@@ -186,9 +186,6 @@ static void refused_things_are_said_in_one_sentence(void** state) {
         {"things=[{model: none.obj}]", "no model 'none.obj'"},
         {"things=[{model: 'box:0'}]", "write box:N"},
         {"contact=paper", "things: the penalty `contact: paper` knows no things"},
-        {"balloons.0={model: icosphere:2, skin: {membrane: {material: stvk, young: 1, density: 1, "
-         "thickness: 1e-3, volume: global}}}",
-         "things: a skin that touches things needs `volume: local`"},
     };
     const char* path = file_of("step: 1e-3\n" BOX BALLOON("0.105"), ".yaml");
     for (size_t k = 0; k < sizeof refused / sizeof *refused; k++) {

@@ -1,6 +1,7 @@
 #include "contact/skins/crossings.h"
 
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/memory.h"
@@ -41,37 +42,69 @@ static BulletSkin* open_boxes(const Body* body) {
                             body->x, body->count);
 }
 
-/// Pairs that cross, up to `most` of them.
-static int count_pairs(const Body* first, BulletSkin* a, const Body* second, const BulletSkin* b,
-                       int most) {
+/// Add the pairs of skins a and b that cross, up to `most` of all.
+static void add_pairs(Crossings* crossings, const Body* const body[2], BulletSkin* const boxes[2],
+                      const int skin[2], int most) {
     const int(*pair)[2];
-    const int near = bullet_skin_near_triangles(a, b, 0, &pair);
-    int crossings = 0;
-    for (int k = 0; k < near && crossings < most; k++)
-        crossings += crossing_of(first, pair[k][0], second, pair[k][1]);
+    const int near = bullet_skin_near_triangles(boxes[0], boxes[1], 0, &pair);
+    for (int k = 0; k < near && crossings->count < most; k++) {
+        if (!crossing_of(body[0], pair[k][0], body[1], pair[k][1]))
+            continue;
+        if (crossings->count++ > 0)
+            continue;
+        for (int side = 0; side < 2; side++) {
+            crossings->skin[side] = skin[side];
+            crossings->triangle[side] = pair[k][side];
+        }
+    }
+}
+
+Crossings crossings_of_skin(const Body* body) {
+    BulletSkin* boxes = open_boxes(body);
+    Crossings crossings = {0};
+    add_pairs(&crossings, (const Body* const[]){body, body}, (BulletSkin* const[]){boxes, boxes},
+              (const int[]){0, 0}, INT_MAX);
+    bullet_skin_close(boxes);
     return crossings;
 }
 
 bool crossings_any(const Body* first, const Body* second) {
     BulletSkin *a = open_boxes(first), *b = open_boxes(second);
-    const bool any = count_pairs(first, a, second, b, 1) > 0;
+    Crossings crossings = {0};
+    add_pairs(&crossings, (const Body* const[]){first, second}, (BulletSkin* const[]){a, b},
+              (const int[]){0, 1}, 1);
     bullet_skin_close(a);
     bullet_skin_close(b);
-    return any;
+    return crossings.count > 0;
 }
 
-int crossings_count(const Contacts* contacts) {
+Crossings crossings_find(const Contacts* contacts, bool touching) {
     const int count = contacts->skin_count;
-    BulletSkin** skin = new_array(BulletSkin*, count);
-    int crossings = 0;
+    BulletSkin** boxes = new_array(BulletSkin*, count);
+    Crossings crossings = {0};
     for (int a = 0; a < count; a++)
-        skin[a] = open_boxes(contacts->skin[a].body);
+        boxes[a] = open_boxes(contacts->skin[a].body);
     for (int a = 0; a < contacts->first_thing; a++)
         for (int b = a; b < count; b++)
-            crossings += count_pairs(contacts->skin[a].body, skin[a], contacts->skin[b].body,
-                                     skin[b], INT_MAX);
+            if (!touching || skin_pairs_may_touch(contacts, a, b))
+                add_pairs(&crossings,
+                          (const Body* const[]){contacts->skin[a].body, contacts->skin[b].body},
+                          (BulletSkin* const[]){boxes[a], boxes[b]}, (const int[]){a, b}, INT_MAX);
     for (int a = 0; a < count; a++)
-        bullet_skin_close(skin[a]);
-    free(skin);
+        bullet_skin_close(boxes[a]);
+    free(boxes);
     return crossings;
+}
+
+void crossings_say(const Crossings* crossings, const char* model, const char* other_model,
+                   char* text, size_t size) {
+    const int first = crossings->skin[0], second = crossings->skin[1];
+    char other[80] = "itself";
+    if (first != second)
+        snprintf(other, sizeof other, "balloons.%d (%s)", second, other_model);
+    snprintf(
+        text, size,
+        "balloons.%d (%s) crosses %s at the start, %d pairs of triangles in all; what crosses does "
+        "not touch until it has come apart",
+        first, model, other, crossings->count);
 }

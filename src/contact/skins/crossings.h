@@ -2,6 +2,8 @@
 #ifndef BALLOON_CONTACT_SKINS_CROSSINGS_H
 #define BALLOON_CONTACT_SKINS_CROSSINGS_H
 
+#include <stddef.h>
+
 #include "body/body.h"
 
 /// Whether a triangle has the point as a corner.
@@ -15,9 +17,23 @@ bool crossing_of(const Body* first, int t, const Body* second, int u);
 /// Whether any triangles of two skins cross.
 bool crossings_any(const Body* first, const Body* second);
 
+/// Pairs of triangles that cross.
+typedef struct Crossings {
+    int count;
+    int skin[2], triangle[2]; ///< of the first pair
+} Crossings;
+
+/// Of a skin with itself.
+Crossings crossings_of_skin(const Body* body);
+
 struct Contacts;
 
-/// Pairs of triangles that cross now, of all skins with themselves, each other and things.
-int crossings_count(const struct Contacts* contacts);
+/// Of all skins with themselves, each other and things as they are now; or only of those that the
+/// scene lets touch.
+Crossings crossings_find(const struct Contacts* contacts, bool touching);
+
+/// A sentence on balloons that cross at the start; model: of the first pair's two.
+void crossings_say(const Crossings* crossings, const char* model, const char* other_model,
+                   char* text, size_t size);
 
 #endif
