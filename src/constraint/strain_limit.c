@@ -14,12 +14,15 @@ void strain_limit_switch(StrainLimit* correct, Body* body, bool on) {
 }
 
 /// Move the ends of spring s together to at most `most` times its rest length, each by its share of
-/// the inverse masses: half each, or all at the free end. True if it was longer.
-static bool shorten(const Body* body, real4* x, int s, real most) {
+/// the inverse masses: half each, or all at the free end. What it is longer now may be kept in part.
+/// True if it was longer.
+static bool shorten(const Body* body, real4* x, int s, real most, real kept) {
     const int i = body->springs.end[s][0], j = body->springs.end[s][1];
     const real4 d = x[j] - x[i];
     const real now = length(d);
-    const real over = now - most * body->springs.rest[s];
+    real over = now - most * body->springs.rest[s];
+    if (kept > 0)
+        over -= kept * real_max(0, length(body->x[j] - body->x[i]) - most * body->springs.rest[s]);
     const bool move_i = body->inverse_mass[i] > 0, move_j = body->inverse_mass[j] > 0;
     if (over <= 0 || !(move_i || move_j))
         return false;
@@ -33,7 +36,7 @@ static bool shorten(const Body* body, real4* x, int s, real most) {
 }
 
 /// One sequential pass, kind after kind; springs that a later one lengthens are not visited again.
-static void shorten_all(StrainLimit* correct, Body* body) {
+static void shorten_all(StrainLimit* correct, Body* body, real kept) {
     Springs* springs = &body->springs;
     correct->corrected = 0;
     for (int kind = 0; kind < SPRING_KINDS; kind++) {
@@ -41,7 +44,7 @@ static void shorten_all(StrainLimit* correct, Body* body) {
             continue;
         const real most = (real)(1 + correct->threshold[kind]);
         for (int s = springs->from[kind]; s < springs->from[kind + 1]; s++) {
-            const bool was_long = shorten(body, correct->ahead, s, most);
+            const bool was_long = shorten(body, correct->ahead, s, most, kept);
             correct->corrected += was_long;
             const real acts = was_long && correct->tarantino ? 0 : springs->stiffness[s];
             if (acts != springs->active[s])
@@ -50,14 +53,14 @@ static void shorten_all(StrainLimit* correct, Body* body) {
     }
 }
 
-void strain_limit_velocity(StrainLimit* correct, Body* body, double step) {
+void strain_limit_velocity(StrainLimit* correct, Body* body, double step, double whole) {
     if (!correct->on)
         return;
     const real h = (real)step;
     for (int i = 0; i < body->count; i++)
         correct->ahead[i] = body->x[i] + h * body->v[i];
 
-    shorten_all(correct, body);
+    shorten_all(correct, body, (real)fmax(0, 1 - step / whole));
 
     // a corrected particle gets the velocity of its actual motion; any other keeps its velocity,
     // since a difference of positions would only add their rounding

@@ -22,8 +22,10 @@ typedef struct StrainLimit {
 } StrainLimit;
 
 /// Change the velocities so that the coming drift of length h leaves no spring over its limit, as
-/// far as one pass achieves that. Does nothing when off.
-void strain_limit_velocity(StrainLimit* correct, Body* body, double h);
+/// far as one pass achieves that. Does nothing when off. whole: the substep of which this drift is a
+/// part. A spring that is too long already keeps 1 - h / whole of its excess: to undo all in a short
+/// part would take a speed in proportion to 1 / h, and energy from nowhere.
+void strain_limit_velocity(StrainLimit* correct, Body* body, double h, double whole);
 
 /// Turn correction on or off; off gives every spring its force back.
 void strain_limit_switch(StrainLimit* correct, Body* body, bool on);

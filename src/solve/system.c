@@ -90,7 +90,8 @@ static void limit_strain(void* self, int b) {
     const Kick* kick = self;
     Body* body = kick->system->body[b];
     if (!body->asleep && kick->system->strain_limit[b])
-        strain_limit_velocity(kick->system->strain_limit[b], body, kick->h);
+        strain_limit_velocity(kick->system->strain_limit[b], body, kick->h,
+                              fmax(kick->h, kick->system->whole));
 }
 
 static void restore_velocities(System* system) {
@@ -101,9 +102,13 @@ static void restore_velocities(System* system) {
     }
 }
 
+/// Strain limits change the velocities after the solve: contacts must then follow them.
 static bool contacts_in_equation(const Method* method, const System* system) {
     if (!method->kick_group)
         return false;
+    for (int b = 0; b < system->body_count; b++)
+        if (system->strain_limit[b] && system->strain_limit[b]->on)
+            return false;
     for (int b = 0; b < system->body_count; b++)
         if (method->solves_contacts && !method->solves_contacts(system->workspace[b]))
             return false;

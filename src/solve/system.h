@@ -26,6 +26,7 @@ typedef struct System {
     void** workspace;           ///< [body_count] the method's, for that body
     SolveStats** stats;         ///< [body_count] of the last kick
     real4** v_start;            ///< [body_count][count] velocities before the last kick [m/s]
+    double whole;               ///< length of the substep that kicks divide [s]; 0: they do not
     bool* solved;               ///< [body_count] by the last kick
     int unsolved;               ///< first body whose step the last kick did not solve, or NONE
     int unsolved_in_row;        ///< kicks since the last that was solved

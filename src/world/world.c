@@ -247,6 +247,7 @@ static void advance(World* world, double h) {
     const bool kicks_once = !world->method->implicit;
     for (int parts = 0; h > whole * rounding && parts < SUBSTEPS_NEAR; parts++) {
         const double longest = fmin(longest_substep(world), world->solvable * whole);
+        world->system.whole = fmin(whole, longest);
         double safe = contacts_safe_step(&world->contacts, fmin(h, longest)), part = safe;
         if (kicks_once && parts > 0)
             part = contacts_velocities(&world->contacts, safe);

@@ -12,7 +12,7 @@ static double length_of(const Body* body, int s) {
 
 /// A drift with the corrected velocities ends at the corrected positions.
 static void go(StrainLimit* correct, Body* body, double h) {
-    strain_limit_velocity(correct, body, h);
+    strain_limit_velocity(correct, body, h, h);
     body_drift(body, h);
 }
 
@@ -130,7 +130,7 @@ static double blown_stretch(bool on) {
     strain_limit_switch(&correct, &body, on);
     for (int n = 0; n < 3000; n++) {
         method_euler.kick_body(&body, NULL, 1e-3, &(SolveStats){0});
-        strain_limit_velocity(&correct, &body, 1e-3);
+        strain_limit_velocity(&correct, &body, 1e-3, 1e-3);
         body_drift(&body, 1e-3);
     }
     double mean = 0;

@@ -182,6 +182,32 @@ static void parts_of_a_step_add_no_energy(void** state) {
     world_close(&world);
 }
 
+/// Strain limits on, and a fast ball of 50 J: the correction of an over-stretched spring in a short
+/// part of a step gave the skin 3e6 J by euler, 1,300 J by xpbd, 550 J by projective.
+static void strain_limits_add_no_energy_in_short_parts(void** state) {
+    (void)state;
+    static const char* const method[] = {"method=euler", "method=newton", "method=xpbd",
+                                         "method=projective"};
+    static const char* const key[] = {"correction", "tarantino"};
+    for (int k = 0; k < 8; k++) {
+        World world;
+        WORLD_OF(&world, "cube-sphere:8", method[k / 2], "step=0.002", "gravity=0",
+                 "balloons.0.inflation={law: area, amount: 3}", "balloons.0.damping={rate: 1}",
+                 "balloons.0.strings=[]", "balloons.0.helium={base: 0}",
+                 "spheres=[{position: [0, 0, 3], velocity: [0, 0, -100], radius: 0.02, "
+                 "mass: 0.01}]");
+        press(&world, key[k % 2], "down");
+        double max = -INFINITY;
+        for (int n = 0; n < 150; n++) {
+            world_step(&world);
+            max = fmax(max, probe(&world, "balloon0.total_energy"));
+        }
+        assert_false(world.blowup.halted);
+        assert_true(max < 50);
+        world_close(&world);
+    }
+}
+
 /// A NaN state is solved at no step.
 static void no_method_solves_a_nan(void** state) {
     (void)state;
@@ -212,6 +238,7 @@ int main(void) {
         cmocka_unit_test(long_steps_are_measured_again_in_time),
         cmocka_unit_test(long_steps_with_corrections_are_made_in_shorter_ones),
         cmocka_unit_test(parts_of_a_step_add_no_energy),
+        cmocka_unit_test(strain_limits_add_no_energy_in_short_parts),
         cmocka_unit_test(no_method_solves_a_nan),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -103,12 +103,6 @@ static bool set_key(Soak* soak, bool down, Fault* fault) {
     return apply(soak, &event, fault);
 }
 
-/// Strain limits move particles without a force that the guard could bound: with them a fast ball
-/// can make a skin explode.
-static bool is_left_out(const Command* command) {
-    return strcmp(command->name, "correction") == 0 || strcmp(command->name, "tarantino") == 0;
-}
-
 /// Release the key that is down, and press another.
 static bool press_next(Soak* soak, Fault* fault) {
     if (soak->pressed >= 0 && !set_key(soak, false, fault))
@@ -116,7 +110,7 @@ static bool press_next(Soak* soak, Fault* fault) {
     soak->pressed = (int)(random_next(&soak->random) * command_count);
     const Command* command = &command_table[soak->pressed];
     const bool is_kept = command->down != world_reset || random_next(&soak->random) < reset_share;
-    if (!is_kept || is_left_out(command)) {
+    if (!is_kept) {
         soak->pressed = -1;
         return true;
     }
