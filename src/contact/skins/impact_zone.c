@@ -155,7 +155,7 @@ static Holder holder_of(const Zones* zones, const int* member, int count) {
 static void hold_up(const Zones* zones, const int* member, int count) {
     for (int k = 0; k < count; k++) {
         Thing* thing = contacts_thing(zones->contacts, particle_of(zones, member[k]).skin);
-        if (thing && !thing->body.asleep)
+        if (thing)
             thing_hold_up(thing);
     }
 }

@@ -12,6 +12,9 @@ enum { PARTS_MAX = 16 };
 static const double slack = 0.1;  ///< [rest gaps] more than the speeds close
 static const double margin = 1.5; ///< [1] of what they close, for the speeds that the solve changes
 
+/// [rest gaps] The solver keeps skins farther apart, unless they have no place left.
+static const double squeezed_gap = 0.05;
+
 static double safe_step(Contacts* contacts, double h) {
     skin_pairs_update(contacts, h);
     return h;
@@ -117,13 +120,29 @@ typedef struct Gathering {
 static void gather_pair(Contacts* contacts, FeaturePair* pair, void* self) {
     const Gathering* gathering = self;
     const double closed = margin * gathering->h * closing_speed(contacts, pair);
+    for (int side = 0; side < 2 && pair->distance < squeezed_gap * pair->rest_gap; side++)
+        contacts->skin_pairs.skin[pair->skin[side]].squeezed = true;
     if (pair->distance <= (1 + slack) * pair->rest_gap + closed &&
         stands_for_itself(contacts, pair))
         add(contacts, gathering->row, pair, gathering->h);
 }
 
+/// Hold up the things that touch a skin which has no place left.
+static void hold_things(Contacts* contacts) {
+    const int spheres = contacts->sphere_count, first_thing = spheres + contacts->first_thing;
+    for (int k = 0; k < contacts->contact_count; k++) {
+        const Contact* c = &contacts->contact[k];
+        if (c->side[1] >= first_thing && c->side[0] >= spheres &&
+            contacts->skin_pairs.skin[c->side[0] - spheres].squeezed)
+            thing_hold_up(&contacts->thing[c->side[1] - first_thing]);
+    }
+}
+
 static void gather(Contacts* contacts, int row, double h) {
+    for (int b = 0; contacts->skin_pairs.skin && b < contacts->first_thing; b++)
+        contacts->skin_pairs.skin[b].squeezed = false;
     skin_pairs_each_near(contacts, margin * h, slack, gather_pair, &(Gathering){row, h});
+    hold_things(contacts);
 }
 
 /// The safe part of a drift so far.

@@ -26,6 +26,7 @@ typedef struct SkinMotion {
 typedef struct TouchingSkin {
     double rest_gap; ///< from a skin like itself; 0: a thing [m]
     double scale;    ///< mean length of an edge at the start [m]
+    bool squeezed;   ///< its features are far nearer to others than they should be
     bool fitted;     ///< its boxes and its reference are of now
     double ahead;    ///< `motion` is that up to x + ahead v; NaN: of no use any more [s]
     SkinMotion motion;

@@ -116,6 +116,8 @@ void thing_begin_drift(Thing* thing, double h) {
 }
 
 void thing_hold_up(Thing* thing) {
+    if (thing->body.asleep)
+        return;
     thing->still = still_time;
     stand_still(thing);
 }

@@ -58,7 +58,7 @@ void thing_reset(Thing* thing);
 /// Set the velocity for a drift of length h.
 void thing_begin_drift(Thing* thing, double h);
 
-/// Let it stand still from this drift on.
+/// Let it stand still from this drift on, if it moves.
 void thing_hold_up(Thing* thing);
 
 void thing_drift(Thing* thing, double h);
