@@ -7,10 +7,6 @@
 #include "base/memory.h"
 #include "solve/method.h"
 
-/// An equation that is not solved for so many lengths of the step, each half the last, is solved
-/// without its contacts, which then change the velocities after the kick.
-enum { UNSOLVED_MAX = 1 };
-
 void system_open(System* system, int body_count) {
     *system = (System){
         .body_count = body_count,
@@ -137,7 +133,8 @@ bool system_kick(const Method* method, System* system, Contacts* contacts, doubl
         return false;
     }
 
-    system->unsolved_in_row = 0;
+    if (system->unsolved_in_row <= UNSOLVED_MAX)
+        system->unsolved_in_row = 0;
     system_for_each(system, limit_strain, &kick);
     contacts->skins_kicked = true;
     *drift = in_groups ? contacts_finish(contacts, *drift) : contacts_velocities(contacts, *drift);

@@ -18,6 +18,11 @@ typedef struct SolveStats {
     int factored;    ///< matrices factored; a kick allocates memory for nothing else
 } SolveStats;
 
+/// An equation that is not solved for so many lengths of the step and one more, each half the last, is
+/// solved without its contacts, which then change the velocities after the kick. So are the other kicks
+/// of the step: they would fail for the same reason.
+enum { UNSOLVED_MAX = 1 };
+
 /// The system owns the arrays; the caller owns the objects behind their pointers.
 typedef struct System {
     int body_count;
@@ -29,7 +34,7 @@ typedef struct System {
     double whole;               ///< length of the substep that kicks divide [s]; 0: they do not
     bool* solved;               ///< [body_count] by the last kick
     int unsolved;               ///< first body whose step the last kick did not solve, or NONE
-    int unsolved_in_row;        ///< kicks since the last that was solved
+    int unsolved_in_row;        ///< kicks since the last that was solved with contacts, in this step
     Groups groups;              ///< of a method whose equation contains the contacts
 } System;
 

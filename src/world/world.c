@@ -197,7 +197,7 @@ static bool is_over(const World* world) {
 /// the kick, or 0 where the method cannot solve the shortest substep. *drift: the longest drift until
 /// contacts must be found again; becomes how much of it may be drifted.
 static double kick(World* world, double h, double whole, double* drift) {
-    const double safe = *drift;
+    const double safe = *drift, first = h;
     while (!world->method->kick(world->method, &world->system, &world->contacts, h, drift)) {
         notice_factored(world, h);
         if (interrupt_signal())
@@ -206,7 +206,8 @@ static double kick(World* world, double h, double whole, double* drift) {
             blowup_unsolved(world, world->system.unsolved, h);
             return 0;
         }
-        h /= 2;
+        // without its contacts the equation may be solved at once
+        h = world->system.unsolved_in_row == UNSOLVED_MAX + 1 ? first : h / 2;
         *drift = fmin(safe, h);
         world->solvable = h / whole;
         if (h * SPLITS_SLOW == whole)
@@ -245,6 +246,7 @@ static double drift_in_parts(World* world, double h, double part, int* parts) {
 static void advance(World* world, double h) {
     const double whole = h;
     const bool kicks_once = !world->method->implicit;
+    world->system.unsolved_in_row = 0;
     for (int parts = 0; h > whole * rounding && parts < SUBSTEPS_NEAR; parts++) {
         const double longest = fmin(longest_substep(world), world->solvable * whole);
         world->system.whole = fmin(whole, longest);
