@@ -34,8 +34,8 @@ typedef struct System {
     double whole;               ///< length of the substep that kicks divide [s]; 0: they do not
     bool* solved;               ///< [body_count] by the last kick
     int unsolved;               ///< first body whose step the last kick did not solve, or NONE
-    int unsolved_in_row;        ///< kicks since the last that was solved with contacts, in this step
-    Groups groups;              ///< of a method whose equation contains the contacts
+    int unsolved_in_row; ///< kicks since the last that was solved with contacts, in this step
+    Groups groups;       ///< of a method whose equation contains the contacts
 } System;
 
 /// For body_count bodies, whose pointers the caller fills in.

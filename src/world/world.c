@@ -14,7 +14,7 @@
 #include "force/inflation.h"
 #include "world/command.h"
 #include "world/rest.h"
-#include "world/things.h"
+#include "world/things/things.h"
 
 enum { SPLITS_MAX = 1024 };    ///< a method that cannot solve 1/1024 of a step fails
 enum { SPLITS_SLOW = 64 };     ///< a step made in as many parts is said to be slow

@@ -22,7 +22,7 @@ struct World {
     const Method* method;
     Balloon* balloon; ///< [balloon_count]
     int balloon_count;
-    Thing* thing; ///< [thing_count] (world/things.h)
+    Thing* thing; ///< [thing_count] (world/things/things.h)
     int thing_count;
     System system;     ///< the balloons' bodies, as the method steps them
     Contacts contacts; ///< balls, floor, walls, things

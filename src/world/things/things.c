@@ -1,4 +1,4 @@
-#include "world/things.h"
+#include "world/things/things.h"
 
 #include <stdlib.h>
 #include <string.h>

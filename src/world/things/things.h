@@ -1,6 +1,6 @@
 /// The things of a scene: loading, placing, and what is refused of them.
-#ifndef BALLOON_WORLD_THINGS_H
-#define BALLOON_WORLD_THINGS_H
+#ifndef BALLOON_WORLD_THINGS_THINGS_H
+#define BALLOON_WORLD_THINGS_THINGS_H
 
 #include "world/world.h"
 
