@@ -150,6 +150,23 @@ static void a_thing_that_would_press_a_skin_to_nothing_is_held_up(void** state) 
     world_close(&world);
 }
 
+/// Two balloons between two plates: at rest both plates feel the same force, and what is pressed together
+/// does not cross.
+static void plates_that_press_two_balloons_feel_one_force(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "hug");
+    run_for(&world, 1.45);
+    assert_close(probe(&world, "thing0.fx"), -probe(&world, "thing1.fx"), 0.01);
+    assert_less(probe(&world, "thing0.fx"), -2);
+    assert_int_equal(crossings(&world), 0);
+    assert_int_equal(crossings_with_things(&world), 0);
+    run_for(&world, 1);
+    assert_near(probe(&world, "thing0.fx"), 0, 0);
+    assert_close(probe(&world, "balloon0.width"), 0.2, 0.01);
+    world_close(&world);
+}
+
 /// A ball bounces off a box as off a floor, comes to rest at its radius and, pushed along, rolls with 5/7
 /// of its speed over the triangles of the face.
 static void balls_bounce_rest_and_roll_on_a_box(void** state) {
@@ -206,6 +223,7 @@ int main(void) {
         cmocka_unit_test(skins_never_cross_edges_and_spikes),
         cmocka_unit_test(momentum_of_a_pushed_balloon_is_the_things_impulse),
         cmocka_unit_test(a_thing_that_would_press_a_skin_to_nothing_is_held_up),
+        cmocka_unit_test(plates_that_press_two_balloons_feel_one_force),
         cmocka_unit_test(balls_bounce_rest_and_roll_on_a_box),
         cmocka_unit_test(refused_things_are_said_in_one_sentence),
     };
