@@ -8,6 +8,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 
 #define PI 3.14159265358979323846
 
@@ -24,6 +25,13 @@ typedef float real;
 #define REAL_MIN_POSITIVE FLT_MIN
 #define REAL_MAX FLT_MAX
 #endif
+
+/// Whether the state can be computed with a number of a scene: forces and energies are products of
+/// two such numbers, so its square must be finite and not round to 0.
+static inline bool real_holds(double value) {
+    const double square = value * value;
+    return value == 0 || (square >= (double)REAL_MIN_POSITIVE && square <= (double)REAL_MAX);
+}
 
 static inline real real_sqrt(real a) {
 #ifdef BALLOON_DOUBLE

@@ -103,7 +103,7 @@ static const Key thing_row[] = {
      KEY_VECTOR, AT(size), .absent = "the model's own"},
     {{"scale", "1", POSITIVE, 1, "factor on the model's points"}, KEY_NUMBER, AT(scale)},
     {{"rotation", "degrees", ANY, NAN, "about the axes x, then y, then z"}, KEY_VECTOR, AT(rotation),
-     .absent = "none"},
+     .absent = "none", .old = "turn"},
     {{"color", "1", 0, 1, false, false, false, NAN, "red, green and blue in sRGB"}, KEY_VECTOR, AT(color),
      .absent = "gray"},
     {{"friction", "1", NOT_NEGATIVE, RUBBER_FRICTION, "Coulomb's coefficient of skins on it; a ball has its own"}, KEY_NUMBER, AT(friction)},

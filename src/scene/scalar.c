@@ -9,10 +9,11 @@
 #include "base/real.h"
 #include "base/table.h"
 
-/// Whether the number is in its range as a `real` too: 1e39 is infinite in float, 1e-50 is 0.
+/// Remember the first number that is in its range, but of no use as a `real`: 1e39 is infinite in
+/// float, and 1e-20 has a square of 0.
 static void note_beyond(Validator* validator, const Key* key, int id, double value) {
     const real rounded = (real)value;
-    if (validator->beyond || (isfinite(rounded) && key_allows(&key->is, (double)rounded)))
+    if (validator->beyond || (real_holds(value) && key_allows(&key->is, (double)rounded)))
         return;
     validator->beyond = id;
     memcpy(validator->beyond_path, validator->path, sizeof validator->path);

@@ -5,6 +5,7 @@
 
 #include "base/table.h"
 #include "force/force.h"
+#include "scene/key.h"
 #include "world/rest.h"
 
 /// The balloons that keys act on: [first, last).
@@ -115,6 +116,17 @@ static bool setting_find(const char* key, Setting* setting) {
     return false;
 }
 
+static bool is_allowed(Setting setting, double value, const Event* event, Fault* fault) {
+    if (setting.force == NONE)
+        return true;
+    const Parameter* range = &force_table[setting.force]->parameters[setting.parameter];
+    if (key_allows(range, value))
+        return true;
+    char words[96];
+    key_range(range, words);
+    return fault_set(fault, event->name, "must be %s, not %s", words, event->value);
+}
+
 /// NULL where this balloon has none.
 static double* setting_of(Balloon* balloon, Setting setting) {
     if (setting.force != NONE)
@@ -160,6 +172,9 @@ static bool set(World* world, const Event* event, Fault* fault) {
     const double value = strtod(event->value, &end);
     if (end == event->value || *end || !isfinite(value))
         return fault_set(fault, event->name, "'%s' is not a number", event->value);
+    if (!real_holds(value))
+        return fault_set(fault, event->name, "%s is out of range in a state of " REAL_NAME,
+                         event->value);
 
     for (size_t k = 0; k < sizeof world_setting_table / sizeof *world_setting_table; k++)
         if (strcmp(world_setting_table[k].key, event->name) == 0) {
@@ -178,6 +193,8 @@ static bool set(World* world, const Event* event, Fault* fault) {
     Setting setting;
     if (!setting_find(event->name + used, &setting))
         return fault_set(fault, event->name, "cannot be set while a scene runs");
+    if (!is_allowed(setting, value, event, fault))
+        return false;
     for (int b = from; b < to; b++) {
         double* number = setting_of(&world->balloon[b], setting);
         if (!number)

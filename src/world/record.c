@@ -54,9 +54,10 @@ static bool validate_set(const Event* event, const Line* line) {
 
 static bool validate_throw(const Event* event, const Line* line) {
     for (int i = 0; i < THROW_NUMBERS; i++)
-        if (!isfinite(event->thrown[i]) || (i >= 6 && event->thrown[i] <= 0))
+        if (!real_holds(event->thrown[i]) || (i >= 6 && event->thrown[i] <= 0))
             return fault_at(line->fault, line->file, line->number,
-                            "a throw has finite numbers, and a mass and a radius above 0");
+                            "a throw has numbers that a state of " REAL_NAME
+                            " holds, and a mass and a radius above 0");
     return true;
 }
 

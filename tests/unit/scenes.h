@@ -86,7 +86,7 @@ static const char full[] =
     "  - model: cube-sphere:4\n"
     "    skin:\n"
     "      membrane: {material: stvk-3d, young: 1e6, poisson: 0.4, density: 1000,\n"
-    "        thickness: 3e-4, volume: global, patches: [{at: [0, 1, 0], radius: 0.5,\n"
+    "        thickness: 3e-4, volume: local, patches: [{at: [0, 1, 0], radius: 0.5,\n"
     "        thickness: 1e-4}]}\n"
     "    inflation: {law: gas, amount: 2}\n";
 

@@ -132,7 +132,7 @@ static const Wrong wrong_table[] = {
     {TITLE "\n1 grab 0 0 0\n",           3, "no event 'grab'; there are key, set, throw"},
     {TITLE "1 throw 0 0 0\n",            2, "this is not STEP throw x y z"},
     {TITLE "1 throw 0 0 0 0 0 0 1 -1\n", 2, "a mass and a radius above 0"},
-    {TITLE "1 throw 0 0 0 0 0 nan 1 1\n", 2, "finite numbers"},
+    {TITLE "1 throw 0 0 0 0 0 nan 1 1\n", 2, "numbers that a state of"},
     {TITLE "1 \n",                       2, "no event ''; there are key, set"},
     {TITLE "1 key\n",                    2, "this is not STEP key NAME down|up"},
     {TITLE "1 key inflate\n",            2, "this is not STEP key NAME down|up"},

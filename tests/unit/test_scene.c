@@ -55,7 +55,7 @@ static void every_key_of_rubber_and_gas_loads_into_its_field(void** state) {
     assert_string_equal(rubber->material, "stvk-3d");
     assert_true(rubber->young == 1e6 && rubber->parameter[0] == 0.4);
     assert_true(rubber->density == 1000 && rubber->thickness == 3e-4);
-    assert_int_equal(rubber->volume, VOLUME_GLOBAL);
+    assert_int_equal(rubber->volume, VOLUME_LOCAL);
     assert_int_equal(rubber->patches_count, 1);
     assert_vector(rubber->patches[0].at, 0, 1, 0);
     assert_true(rubber->patches[0].radius == 0.5 && rubber->patches[0].thickness == 1e-4);
@@ -63,6 +63,14 @@ static void every_key_of_rubber_and_gas_loads_into_its_field(void** state) {
     assert_true(*gas->unit == 2e5 && *gas->temperature == 300 && gas->adiabatic);
     assert_true(gas->leak == 1e-6 && gas->vent == 1e-5);
     assert_string_equal(gas->filling, "helium");
+    scene_free(&def);
+
+    // which no skin that touches may have
+    must_load(
+        full,
+        (const char*[]){"contacts={}", "things=[]", "balloons.1.skin.membrane.volume=global", NULL},
+        &def);
+    assert_int_equal(def.balloons[1].skin.membrane->volume, VOLUME_GLOBAL);
     scene_free(&def);
 }
 

@@ -53,7 +53,9 @@ static void old_name_is_read(const char* pattern, const Key* key, void* count) {
     for (char* c = path; *c; c++)
         if (*c == '*')
             *c = '0';
-    const char* value = key->type == KEY_POINTER ? "{}" : "0.75";
+    const char* value = key->type == KEY_POINTER  ? "{}"
+                        : key->type == KEY_VECTOR ? "[0.75, 0, 0]"
+                                                  : "0.75";
     const int parent = (int)(strlen(path) - strlen(key->is.name));
     snprintf(set, sizeof set, "%s=%s", path, value);
     snprintf(old_set, sizeof old_set, "%.*s%s=%s", parent, path, key->old, value);

@@ -17,7 +17,7 @@ static const Wrong wrong_table[] = {
      "no key 'sheer' in balloons.0.skin.springs; there are structural, shear, flexion, torsion, law"},
     {HEAD "    scale: 1\n    scale: 2\n", 6, "'scale' stands twice in balloons.0"},
     {HEAD "[a]: 2\n",                5, "a key in a scene must be a word"},
-    {HEAD "walls: [{at: [0, 0, 0], normal: [0, 0, 1e-200]}]\n", 5, "a wall's normal points somewhere"},
+    {HEAD "walls: [{at: [0, 0, 0], normal: [0, 0, 0]}]\n", 5, "a wall's normal points somewhere"},
     {HEAD "\"ti\\0tle\": 2\n",       5, "no key 'ti' in a scene"},
     {"balloons: [{model: cube, mass: {per_particle: 1}}]\n", 1, "a scene needs the key 'step'"},
     {"\nstep: 0.1\n",                2, "a scene needs the key 'balloons'"},
