@@ -13,14 +13,15 @@ extern char** environ;
 // players need 4:2:0 color, which is defined for even sizes only
 #define EVEN "crop=trunc(iw/2)*2:trunc(ih/2)*2"
 
-static const char* const MP4[] = {"-vf",       EVEN,         "-c:v",      "libx264",
-                                  "-crf",      "18",         "-pix_fmt",  "yuv420p",
-                                  "-movflags", "+faststart", "-metadata", "comment=" VIDEO_MARK,
-                                  NULL};
-static const char* const WEBM[] = {
-    "-vf", EVEN,       "-c:v",    "libvpx-vp9", "-crf", "30",        "-b:v",
-    "0",   "-pix_fmt", "yuv420p", "-row-mt",    "1",    "-metadata", "comment=" VIDEO_MARK,
-    NULL};
+// in the film, by which a later run knows it as its own
+static const char comment_option[] = "comment=" VIDEO_MARK;
+
+static const char* const MP4[] = {"-vf",       EVEN,           "-c:v",    "libx264",   "-crf",
+                                  "18",        "-pix_fmt",     "yuv420p", "-movflags", "+faststart",
+                                  "-metadata", comment_option, NULL};
+static const char* const WEBM[] = {"-vf",     EVEN,   "-c:v",      "libvpx-vp9",   "-crf",
+                                   "30",      "-b:v", "0",         "-pix_fmt",     "yuv420p",
+                                   "-row-mt", "1",    "-metadata", comment_option, NULL};
 // delays are hundredths of a second: 25 frames a second are exact, 60 are not. One palette for all
 // frames
 static const char* const GIF[] = {
