@@ -222,6 +222,28 @@ void contact_terms_assemble(Group* group) {
         assemble_ball(group, s);
 }
 
+double contact_terms_noise(const Group* group) {
+    double noise = 0;
+    for (int s = 0; s < group->ball_count; s++) {
+        const Sphere* ball = group->ball[s].sphere;
+        noise += (double)(ball->mass * dot(ball->v, ball->v));
+    }
+    for (int t = 0; t < group->term_count; t++) {
+        const ContactTerm* term = &group->term[t];
+        const Contact* c = term->contact;
+        double speed2 = 0;
+        for (int k = 0; term->active && k < c->node_count; k++) {
+            const real4 v = c->node[k].weight * *c->node[k].velocity;
+            speed2 += (double)dot(v, v);
+        }
+        const double k2 =
+            (double)(term->stiffness * term->stiffness / c->normal_mass +
+                     term->tangent_stiffness * term->tangent_stiffness / c->tangent_mass);
+        noise += c->node_count * speed2 * k2; // each addition to u rounds anew
+    }
+    return noise;
+}
+
 double contact_terms_precondition(Group* group) {
     double squared = 0;
     for (int k = 0; k < group->ball_count; k++) {

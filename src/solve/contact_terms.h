@@ -95,6 +95,10 @@ void contact_terms_update_multipliers(struct Group* group);
 /// Add J^T H J to the bodies' matrices, and compute the balls' blocks of the preconditioner.
 void contact_terms_assemble(struct Group* group);
 
+/// Sum over balls and contacts of the squared error of R, as |R|^2_(1/M), for velocities that are off by
+/// their own size: P is off by k times the error of n.u [kg m^2/s^2].
+double contact_terms_noise(const struct Group* group);
+
 /// image += the part of A p that is not in the bodies' matrices; image of the balls.
 void contact_terms_multiply(struct Group* group);
 

@@ -89,8 +89,10 @@ static double update(Group* group, double h, bool project) {
         noise += assemble(&group->body[k], h, project);
         update_levels(&group->body[k], h, project);
     }
-    if (group->term_count > 0)
+    if (group->term_count > 0) {
         add_contacts(group);
+        noise += contact_terms_noise(group);
+    }
     return (double)REAL_EPSILON / 2 * sqrt(noise);
 }
 

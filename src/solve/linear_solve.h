@@ -33,7 +33,7 @@ void linear_solve_begin(LinearSolve* linear, const Body* body);
 
 /// Compute A of a group at the present positions and velocities. Returns an estimate of the rounding
 /// error of R, as |R|_(1/M): positions and velocities are exact to half of their last bit, and K makes
-/// forces of the positions' error. Converged iterations reach 1/2 to 3/4 of it, in both precisions.
+/// forces of the positions' error, contacts impulses of the velocities'. Converged iterations reach 1/2 to 3/4 of it, in both precisions.
 double linear_solve_update(Group* group, double h);
 
 /// Solve A dv = -R to a residual of `tolerance` [1], in the preconditioner's norm. Where A is not
