@@ -9,7 +9,7 @@
 
 static const double gap_share = 0.1;     ///< [shortest edges] rest gap of a skin without thickness
 static const double gap_min = 1e-4;      ///< [mean edges] least rest gap
-static const double margin_self = 0.2;   ///< [mean edges] of the list of a skin with itself
+static const double margin_self = 0.4;   ///< [mean edges] of the list of a skin with itself
 static const double margin_others = 0.4; ///< [mean edges] of a list of two skins
 static const double forecast = 2;        ///< [drifts] that a list should hold
 enum {
