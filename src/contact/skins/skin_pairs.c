@@ -126,9 +126,13 @@ static void forget_motions(const Contacts* contacts) {
 /// The same; where the cheap bound has run out, the tight one sets it anew.
 static bool holds_longer(Contacts* contacts, int a, int b, double ahead) {
     PairList* list = list_of(contacts, a, b);
-    const double relative = skin_motion_relative(contacts, a, b, ahead);
-    if (list->valid && !list->crossed && list->moved + relative > list->holds_until)
-        list->holds_until = fmax(list->holds_until, list->moved + slack_of(contacts, a, b, 0));
+    if (list->crossed)
+        return true;
+    if (!list->valid)
+        return false;
+    if (list->moved + skin_motion_relative(contacts, a, b, ahead) <= list->holds_until)
+        return true;
+    list->holds_until = fmax(list->holds_until, list->moved + slack_of(contacts, a, b, 0));
     return holds(contacts, a, b, ahead);
 }
 
@@ -159,7 +163,8 @@ void skin_pairs_moved(Contacts* contacts, double h) {
     contacts->skin_pairs.drifts++;
     for (int a = 0; a < contacts->skin_count; a++)
         for (int b = a; b < contacts->skin_count; b++)
-            list_of(contacts, a, b)->moved += skin_motion_relative(contacts, a, b, h);
+            if (list_of(contacts, a, b)->valid)
+                list_of(contacts, a, b)->moved += skin_motion_relative(contacts, a, b, h);
     for (int b = 0; b < contacts->skin_count; b++) {
         skin_motion_drifted(contacts, b, h);
         contacts->skin_pairs.skin[b].fitted = false;
