@@ -32,7 +32,9 @@ enum { HALVINGS_MAX = 40 };
 static const double way_max = 0.1;
 
 /// Contacts' multipliers are updated where Newton's iterations have made the residual this much less
-/// than the last update left; after every iteration they would run ahead of the velocities. [1]
+/// than the last update left; after every iteration they would run ahead of the velocities. They
+/// converge linearly: once an update leaves less than contact_tolerance, the next one waits until the
+/// equation is solved. [1]
 static const double update_share = 0.1;
 
 /// |R| for updated multipliers at which contacts are solved; contacts_finish solves what remains of
