@@ -88,16 +88,13 @@ static bool open_case(int c, int side, World* world, Fault* fault) {
 /// contacts [ms].
 static double timed_step(World* world) {
     Body* body = &world->balloon[0].body;
-    double contacts = 0;
-    for (double h = world->step; h > 0;) {
-        double start = now();
+    double contacts = 0, h = world->step;
+    memcpy(world->balloon[0].v_start, body->v, (size_t)body->count * sizeof(real4));
+    world->method->kick_body(body, world->balloon[0].workspace, h, &world->balloon[0].stats);
+    world->contacts.skins_kicked = true;
+    while (h > 0) {
+        const double start = now();
         const double pace = contacts_safe_step(&world->contacts, h);
-        contacts += now() - start;
-
-        memcpy(world->balloon[0].v_start, body->v, (size_t)body->count * sizeof(real4));
-        world->method->kick_body(body, world->balloon[0].workspace, pace, &world->balloon[0].stats);
-
-        start = now();
         const double drift = contacts_velocities(&world->contacts, pace);
         contacts_drift(&world->contacts, drift);
         contacts += now() - start;
