@@ -50,6 +50,8 @@ typedef struct Body {
     String* string; ///< [string_capacity] the first string_count are in use
     int string_count;
     int string_capacity;
+    double joined_w2; ///< bound on the squared frequency that joints add [1/s^2]; 0: none
+                      ///< (solve/joints/joints.h)
 } Body;
 
 /// Transform of a mesh's points: x = position + rotation(scale (point - center)).

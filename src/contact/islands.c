@@ -31,8 +31,16 @@ int islands_root(int* parent, int element) {
 }
 
 void islands_find(Islands* islands, Contact* contact, int count, int side_count) {
-    reserve(islands, count, side_count);
+    islands_find_joined(islands, contact, count, side_count, NULL, 0);
+}
+
+void islands_find_joined(Islands* islands, Contact* contact, int count, int side_count,
+                         const int* joined, int joined_count) {
+    reserve(islands, count + joined_count, side_count);
     int* parent = islands->parent;
+    const int first = side_count - joined_count;
+    for (int k = 0; k < joined_count; k++)
+        parent[first + k] = first + joined[k];
     for (int k = 0; k < count; k++)
         if (contact[k].side[1] != NONE && contact[k].side[1] < side_count)
             parent[islands_root(parent, contact[k].side[1])] =
@@ -44,6 +52,11 @@ void islands_find(Islands* islands, Contact* contact, int count, int side_count)
         if (*number == NONE)
             *number = islands->count++;
         islands->key[k] = *number;
+    }
+    for (int k = 0; k < joined_count; k++) {
+        int* number = &islands->island[islands_root(parent, first + joined[k])];
+        if (joined[k] != k && *number == NONE)
+            *number = islands->count++;
     }
     counting_sort(islands->key, count, islands->count, islands->start, islands->order);
     for (int k = 0; k < count; k++)

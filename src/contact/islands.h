@@ -23,7 +23,12 @@ typedef struct Islands {
 /// numbers that contacts have for their sides; a second side from there on is held.
 void islands_find(Islands* islands, Contact* contact, int count, int side_count);
 
-/// Number of a side's island, or NONE if it has no contact.
+/// The same where the last joined_count sides are united without contacts: the k-th of them with the
+/// joined[k]-th, for joined[k] != k. Islands without contacts come last.
+void islands_find_joined(Islands* islands, Contact* contact, int count, int side_count,
+                         const int* joined, int joined_count);
+
+/// Number of a side's island, or NONE if it has no contact and is not united.
 int islands_of_side(const Islands* islands, int side);
 
 /// Root of an element's tree in a forest where a root is its own parent; halves the path on the way.

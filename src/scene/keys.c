@@ -88,7 +88,7 @@ static const KeyGroup wall_keys = GROUP(wall_row, WallDef);
 #define DEF PathPointDef
 static const Key path_row[] = {
     {{"at", "s", NOT_NEGATIVE, 0, "time"}, KEY_NUMBER, AT(at)},
-    {{"position", "m", ANY, NAN, "where the thing is then"}, KEY_VECTOR, AT(position), .required = true},
+    {{"position", "m", ANY, NAN, "where the thing or the knot is then"}, KEY_VECTOR, AT(position), .required = true},
 };
 #undef DEF
 static const KeyGroup path_keys = GROUP(path_row, PathPointDef);
@@ -112,6 +112,17 @@ static const Key thing_row[] = {
 };
 #undef DEF
 static const KeyGroup thing_keys = GROUP(thing_row, ThingDef);
+
+#define DEF KnotDef
+static const Key knot_row[] = {
+    {{"position", "m", ANY, NAN, "where it is at the start"}, KEY_VECTOR, AT(position),
+     .absent = "required without `path`"},
+    {{"mass", "kg", NOT_NEGATIVE, 0, "mass; 0: the knot is held"}, KEY_NUMBER, AT(mass)},
+    {{"path", NO_NUMBER, "points that a held knot goes through in straight lines, at most 50 m/s"}, KEY_LIST, AT(path), COUNT(path_count),
+     .group = &path_keys},
+};
+#undef DEF
+static const KeyGroup knot_keys = GROUP(knot_row, KnotDef);
 
 #define DEF PipeDef
 static const Key pipe_row[] = {
@@ -192,6 +203,7 @@ static const Key world_row[] = {
     {{"spheres", NO_NUMBER, "balls that are there from the start"}, LIST(spheres, sphere_keys)},
     {{"walls", NO_NUMBER, "half-spaces beside the floor"}, LIST(walls, wall_keys)},
     {{"things", NO_NUMBER, "obstacles of infinite mass, at rest or on a path"}, LIST(things, thing_keys)},
+    {{"knots", NO_NUMBER, "points that strings share"}, LIST(knots, knot_keys)},
     {{"pipes", NO_NUMBER, "gas flows through each to the lower pressure"}, LIST(pipes, pipe_keys)},
     {{"balloons", NO_NUMBER, "the balloons"}, LIST(balloons, balloon_keys), .required = true,
      .shortest = 1},

@@ -135,8 +135,14 @@ static const KeyGroup strain_limit_keys = GROUP(strain_limit_row, StrainLimitDef
 #define DEF StringDef
 static const Key string_row[] = {
     {{"to", "m", ANY, NAN, "the fixed end"}, KEY_VECTOR, AT(to), .absent = "straight down on the floor"},
-    {{"at", NO_NUMBER, "the particle: `nearest` to the fixed end, `lowest`, `highest`, or its number"},
-     KEY_TEXT, AT(at), .absent = "`nearest`, or `lowest` without `to`", .longest = WORD_LONGEST},
+    {{"at", NO_NUMBER, "the particle: `nearest` to the other end, `lowest`, `highest`, or its number"},
+     KEY_TEXT, AT(at), .absent = "`nearest`, or `lowest` without another end", .longest = WORD_LONGEST},
+    {{"to_balloon", "1", NOT_NEGATIVE, NAN, "number of another balloon that the string leads to, from 0"},
+     KEY_OPTIONAL, AT(to_balloon), .absent = "none"},
+    {{"to_at", NO_NUMBER, "the particle of that balloon, as in `at`"}, KEY_TEXT, AT(to_at),
+     .absent = "`nearest`", .longest = WORD_LONGEST},
+    {{"to_knot", "1", NOT_NEGATIVE, NAN, "number of a knot that the string leads to, from 0"},
+     KEY_OPTIONAL, AT(to_knot), .absent = "none"},
     {{"stiffness", "N/m", NOT_NEGATIVE, NAN, "stiffness of the taut string"}, KEY_NUMBER, AT(stiffness),
      .required = true},
     {{"slack", "1", POSITIVE, 1, "free length as a ratio of the first length"}, KEY_NUMBER,
@@ -168,7 +174,7 @@ static const Key balloon_row[] = {
      .group = &inflation_keys},
     {{"strain_limit", NO_NUMBER, "strain limiting of over-stretched springs"},
      KEY_POINTER, AT(strain_limit), .old = "correction", .group = &strain_limit_keys},
-    {{"strings", NO_NUMBER, "strings to fixed points"}, KEY_LIST, AT(strings),
+    {{"strings", NO_NUMBER, "strings to fixed points, to other balloons and to knots"}, KEY_LIST, AT(strings),
      COUNT(strings_count), .group = &string_keys},
 };
 #undef DEF

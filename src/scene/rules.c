@@ -50,17 +50,45 @@ static bool limited_without_springs(const WorldDef* world, const BalloonDef* bal
 
 static bool tied_to_no_floor(const WorldDef* world, const BalloonDef* balloon) {
     for (unsigned i = 0; i < balloon->strings_count; i++)
-        if (!balloon->strings[i].to && !world->floor)
+        if (!balloon->strings[i].to && !string_joins(&balloon->strings[i]) && !world->floor)
             return true;
     return false;
 }
 
+static bool names_no_particle(const char* at) {
+    return at && strcmp(at, "nearest") != 0 && strcmp(at, "lowest") != 0 &&
+           strcmp(at, "highest") != 0 && (strlen(at) > 9 || at[strspn(at, "0123456789")]);
+}
+
 static bool tied_at_no_particle(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
+    for (unsigned i = 0; i < balloon->strings_count; i++)
+        if (names_no_particle(balloon->strings[i].at) ||
+            names_no_particle(balloon->strings[i].to_at))
+            return true;
+    return false;
+}
+
+static bool tied_twice(const WorldDef* world, const BalloonDef* balloon) {
+    (void)world;
     for (unsigned i = 0; i < balloon->strings_count; i++) {
-        const char* at = balloon->strings[i].at;
-        if (at && strcmp(at, "nearest") != 0 && strcmp(at, "lowest") != 0 &&
-            strcmp(at, "highest") != 0 && (strlen(at) > 9 || at[strspn(at, "0123456789")]))
+        const StringDef* string = &balloon->strings[i];
+        if (!!string->to + !!string->to_balloon + !!string->to_knot > 1)
+            return true;
+    }
+    return false;
+}
+
+static bool is_number_below(const double* number, unsigned count) {
+    return *number == floor(*number) && *number < count;
+}
+
+static bool tied_to_none(const WorldDef* world, const BalloonDef* balloon) {
+    for (unsigned i = 0; i < balloon->strings_count; i++) {
+        const double *to = balloon->strings[i].to_balloon, *knot = balloon->strings[i].to_knot;
+        if ((to && (!is_number_below(to, world->balloons_count) ||
+                    &world->balloons[(unsigned)*to] == balloon)) ||
+            (knot && !is_number_below(knot, world->knots_count)))
             return true;
     }
     return false;
@@ -106,6 +134,9 @@ static const Rule rule_table[] = {
                 "give it `to`, or the scene a floor", tied_to_no_floor},
     {"strings", "`at` must be nearest, lowest, highest or the number of a particle",
      tied_at_no_particle},
+    {"strings", "a string leads to one end: give to, to_balloon or to_knot", tied_twice},
+    {"strings", "to_balloon is the number of another balloon, to_knot that of one of the scene's "
+                "`knots`, from 0", tied_to_none},
     {"strain_limit", "a strain limit needs springs", limited_without_springs},
     {"inflation", "ambient, unit, temperature, adiabatic, filling, leak and vent are for the law gas",
      gas_words_without_gas},
@@ -168,12 +199,12 @@ static bool pipes_join(const WorldDef* def, const SceneTree* tree, Fault* fault)
     return true;
 }
 
-/// What is wrong with a thing's path, or NULL.
-static const char* path_is_wrong(const ThingDef* thing) {
-    if (thing->position && thing->path_count > 0)
-        return "give position or path, not both: the thing begins at the first point of its path";
-    for (unsigned k = 1; k < thing->path_count; k++) {
-        const PathPointDef *from = &thing->path[k - 1], *to = from + 1;
+/// What is wrong with a path, or NULL.
+static const char* path_is_wrong(const double* position, const PathPointDef* path, unsigned count) {
+    if (position && count > 0)
+        return "give position or path, not both: it begins at the first point of its path";
+    for (unsigned k = 1; k < count; k++) {
+        const PathPointDef *from = &path[k - 1], *to = from + 1;
         double squared = 0;
         for (int c = 0; c < 3; c++)
             squared +=
@@ -186,15 +217,33 @@ static const char* path_is_wrong(const ThingDef* thing) {
     return NULL;
 }
 
+static const char* knot_is_wrong(const KnotDef* knot) {
+    if (!knot->position && knot->path_count == 0)
+        return "give its position, or its path";
+    if (knot->mass > 0 && knot->path_count > 0)
+        return "a knot on a path is held: give mass or path, not both";
+    return path_is_wrong(knot->position, knot->path, knot->path_count);
+}
+
+/// False with a fault if there is a sentence on item `i` of a list.
+static bool item_holds(const char* sentence, const char* list, unsigned i, const char* key,
+                       const SceneTree* tree, Fault* fault) {
+    char path[64];
+    snprintf(path, sizeof path, "%s.%u%s", list, i, key);
+    return !sentence ||
+           tree_fault(tree, tree_find(tree, path), fault, "%s.%u: %s", list, i, sentence);
+}
+
 static bool paths_hold(const WorldDef* def, const SceneTree* tree, Fault* fault) {
-    for (unsigned i = 0; i < def->things_count; i++) {
-        const char* sentence = path_is_wrong(&def->things[i]);
-        char path[64];
-        snprintf(path, sizeof path, "things.%u.path", i);
-        if (sentence)
-            return tree_fault(tree, tree_find(tree, path), fault, "things.%u: %s", i, sentence);
+    bool good = true;
+    for (unsigned i = 0; good && i < def->things_count; i++) {
+        const ThingDef* thing = &def->things[i];
+        good = item_holds(path_is_wrong(thing->position, thing->path, thing->path_count), "things",
+                          i, ".path", tree, fault);
     }
-    return true;
+    for (unsigned i = 0; good && i < def->knots_count; i++)
+        good = item_holds(knot_is_wrong(&def->knots[i]), "knots", i, "", tree, fault);
+    return good;
 }
 
 static bool camera_looks_nowhere(const CameraDef* camera) {

@@ -102,12 +102,20 @@ typedef struct InflationDef {
 } InflationDef;
 
 typedef struct StringDef {
-    double* to;       ///< [3] fixed end; NULL: straight down to the floor
-    char* at;         ///< particle: "nearest" to the fixed end, "lowest", "highest", or its number;
-                      ///< NULL: nearest, or lowest where `to` is NULL
-    double stiffness; ///< [N/m] required
-    double slack;     ///< free length as a ratio of the first length; default 1
+    double* to; ///< [3] fixed end; NULL: straight down to the floor
+    char* at;   ///< particle: "nearest" to the fixed end, "lowest", "highest", or its number;
+                ///< NULL: nearest, or lowest where `to` is NULL
+    double* to_balloon; ///< number of another balloon that it leads to; NULL: none
+    char* to_at;        ///< particle of that balloon, as `at`; NULL: nearest to this string's
+    double* to_knot;    ///< number of a knot that it leads to; NULL: none
+    double stiffness;   ///< [N/m] required
+    double slack;       ///< free length as a ratio of the first length; default 1
 } StringDef;
+
+/// Whether a string leads to a balloon or a knot, and not to a fixed point.
+static inline bool string_joins(const StringDef* string) {
+    return string->to_balloon || string->to_knot;
+}
 
 /// Thresholds: largest strain of a spring [1]; 0: not limited.
 typedef struct StrainLimitDef {
@@ -173,6 +181,14 @@ typedef struct ThingDef {
     PathPointDef* path;
     unsigned path_count;
 } ThingDef;
+
+/// `knots:` points that strings share (solve/joints/joints.h).
+typedef struct KnotDef {
+    double* position; ///< [3] required without a path
+    double mass;      ///< [kg] 0: it is held
+    PathPointDef* path;
+    unsigned path_count;
+} KnotDef;
 
 /// `pipes:` gas flows from the higher pressure to the lower.
 typedef struct PipeDef {
@@ -256,6 +272,8 @@ typedef struct WorldDef {
     unsigned walls_count;
     ThingDef* things;
     unsigned things_count;
+    KnotDef* knots;
+    unsigned knots_count;
     PipeDef* pipes;
     unsigned pipes_count;
     BalloonDef* balloons; ///< at least one, required

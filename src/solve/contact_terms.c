@@ -210,6 +210,7 @@ static void assemble_ball(const Group* group, int number) {
                              (column[0][0] + column[1][1] + column[2][2] - term->stiffness));
         }
     }
+    joint_terms_add_block(group, number, block);
     invert(block, ball->inverse);
     ball->inverse_spin = 1 / spin;
 }

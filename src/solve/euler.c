@@ -61,6 +61,7 @@ const Method method_euler = {
     .name = "euler",
     .about = "semi-implicit Euler, order 1: all forces, then all particles",
     .staggered = true, // a leapfrog, whose v is that of t - h/2
+    .joins = true,
     .open = open,
     .close = free,
     .kick = system_kick,

@@ -8,17 +8,21 @@
 
 static void reserve(Groups* groups, int sides, int terms) {
     if (sides > groups->side_capacity) {
-        ContactTerm* term = groups->term;
-        const int term_capacity = groups->term_capacity;
+        const Groups before = *groups;
         groups->term = NULL;
+        groups->joint = NULL;
+        groups->knot_location = NULL;
         groups_close(groups);
         *groups = (Groups){
             .group = new_array(Group, sides),
             .body = new_array(GroupBody, sides),
             .ball = new_array(GroupBall, sides),
-            .term = term,
+            .term = before.term,
+            .joint = before.joint,
+            .knot_location = before.knot_location,
+            .joint_capacity = before.joint_capacity,
             .side_capacity = sides,
-            .term_capacity = term_capacity,
+            .term_capacity = before.term_capacity,
             .group_of = new_array(int, sides),
             .group_of_island = new_array(int, sides),
             .from = new_array(int, sides + 1),
@@ -31,6 +35,10 @@ static void reserve(Groups* groups, int sides, int terms) {
         groups->term_capacity = 2 * terms;
         groups->term = new_array(ContactTerm, 2 * terms);
     }
+}
+
+static bool has_islands(const System* system, const Contacts* contacts) {
+    return contacts->contact_count > 0 || system->joints.count > 0;
 }
 
 /// A new group; its terms are the island's contacts.
@@ -49,11 +57,12 @@ static int add_group(Groups* groups, const Contacts* contacts, int island) {
 /// The group of each side: awake bodies in ascending order begin one, or join that of their island.
 static void number_groups(Groups* groups, const System* system, const Contacts* contacts) {
     const int spheres = contacts->sphere_count;
+    const Islands* islands = has_islands(system, contacts) ? &contacts->islands : NULL;
     groups->count = 0;
-    for (int i = 0; contacts->contact_count && i < contacts->islands.count; i++)
+    for (int i = 0; islands && i < islands->count; i++)
         groups->group_of_island[i] = NONE;
     for (int b = 0; b < system->body_count; b++) {
-        const int island = contacts_island(contacts, spheres + b);
+        const int island = islands ? islands_of_side(islands, spheres + b) : NONE;
         int* number = &groups->group_of[spheres + b];
         *number = NONE;
         if (system->body[b]->asleep)
@@ -64,12 +73,12 @@ static void number_groups(Groups* groups, const System* system, const Contacts* 
             *number = add_group(groups, contacts, island);
     }
     for (int s = 0; s < spheres; s++) {
-        const int island = contacts_island(contacts, s);
+        const int island = islands ? islands_of_side(islands, s) : NONE;
         groups->group_of[s] = island == NONE ? NONE : groups->group_of_island[island];
     }
 }
 
-static void collect_sides(Groups* groups, const System* system, Contacts* contacts) {
+static void collect_sides(Groups* groups, System* system, Contacts* contacts) {
     const int spheres = contacts->sphere_count;
     GroupBody* body = groups->body;
     GroupBall* ball = groups->ball;
@@ -94,6 +103,7 @@ static void collect_sides(Groups* groups, const System* system, Contacts* contac
                                       .stats = system->stats[b]};
             }
         }
+        ball += joint_terms_add_knots(groups, &system->joints, spheres, g, ball);
     }
 }
 
@@ -139,13 +149,17 @@ void groups_open(Groups* groups, int body_count) {
     reserve(groups, body_count, 0);
 }
 
-void groups_find(Groups* groups, const System* system, Contacts* contacts) {
+void groups_find(Groups* groups, System* system, Contacts* contacts) {
     const int sides = contacts->sphere_count + system->body_count;
-    reserve(groups, sides, contacts->contact_count);
-    if (contacts->contact_count)
-        islands_find(&contacts->islands, contacts->contact, contacts->contact_count, sides);
+    const Joints* joints = &system->joints;
+    reserve(groups, sides + joints->knot_count, contacts->contact_count);
+    joint_terms_reserve(groups, joints);
+    if (has_islands(system, contacts))
+        islands_find_joined(&contacts->islands, contacts->contact, contacts->contact_count, sides,
+                            joints->joined, system->body_count);
     number_groups(groups, system, contacts);
     collect_sides(groups, system, contacts);
+    joint_terms_find(groups, joints, contacts->sphere_count);
     make_terms(groups, contacts);
 }
 
@@ -162,6 +176,8 @@ void groups_close(Groups* groups) {
     free(groups->body);
     free(groups->ball);
     free(groups->term);
+    free(groups->joint);
+    free(groups->knot_location);
     free(groups->group_of);
     free(groups->group_of_island);
     free(groups->from);

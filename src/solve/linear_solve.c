@@ -85,13 +85,16 @@ static void add_contacts(Group* group) {
 
 static double update(Group* group, double h, bool project) {
     double noise = 0;
-    for (int k = 0; k < group->body_count; k++) {
+    for (int k = 0; k < group->body_count; k++)
         noise += assemble(&group->body[k], h, project);
+    joint_terms_assemble(group);
+    for (int k = 0; k < group->body_count; k++)
         update_levels(&group->body[k], h, project);
-    }
     if (group->term_count > 0) {
         add_contacts(group);
         noise += contact_terms_noise(group);
+    } else if (group->ball_count > 0) { // knots
+        contact_terms_assemble(group);
     }
     return (double)REAL_EPSILON / 2 * sqrt(noise);
 }
@@ -117,6 +120,7 @@ static void multiply(Group* group, double h) {
         zero_held(linear, part->body, linear->image);
     }
     contact_terms_multiply(group);
+    joint_terms_multiply(group);
 }
 
 /// z; returns r . z, the squared residual in the preconditioner's norm.

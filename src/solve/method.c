@@ -63,6 +63,7 @@ double method_bound(const Method* method, const Body* body) {
     for (int k = 0; k < force_count; k++)
         if (force_table[k]->bound && force_table[k]->present(body))
             w2 += force_table[k]->bound(body);
+    w2 += body->joined_w2;
     double min, max;
     damping_rates(body, &min, &max);
     return fmin(method->limit(w2, min), method->limit(w2, max));

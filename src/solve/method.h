@@ -50,6 +50,7 @@ typedef struct Method {
     bool multiplies; ///< it has a number of Hessian-vector products to report
     bool can_fail;   ///< its kick may return false
     bool staggered;  ///< its velocities belong to half a step before its positions
+    bool joins;      ///< it steps bodies that strings join (solve/joints/joints.h)
 
     /// The forces that it supports, up to a row of NULL; a body with another force is refused. NULL:
     /// all, through the force table.

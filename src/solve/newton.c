@@ -122,6 +122,7 @@ static double evaluate_residual(Group* group, double h) {
             sphere_inertia(sphere) * (sphere->spin - ball->spin_start);
     }
     contact_terms_add_impulses(group);
+    joint_terms_add_impulses(group, h);
     return group_inverse_mass_norm(group, GROUP_RESIDUAL);
 }
 
@@ -142,7 +143,7 @@ static double potential(const Group* group, double h) {
                 sum += force_table[k]->energy(body);
         all += sum;
     }
-    return all + contact_terms_potential(group);
+    return all + contact_terms_potential(group) + joint_terms_potential(group, h);
 }
 
 /// Whether the volumes of all gases were positive when the forces were last summed.
@@ -337,6 +338,7 @@ const Method method_newton = {
     .iterates = true,
     .multiplies = true,
     .can_fail = true,
+    .joins = true,
     .open = open,
     .close = close,
     .kick = system_kick,

@@ -19,6 +19,7 @@ void system_open(System* system, int body_count) {
         .unsolved = NONE,
     };
     groups_open(&system->groups, body_count);
+    joints_open(&system->joints, system->body, body_count, 0);
 }
 
 static void for_each(void (*task)(void* self, int number), void* self, int count) {
@@ -102,6 +103,8 @@ static void restore_velocities(System* system) {
 static bool contacts_in_equation(const Method* method, const System* system) {
     if (!method->kick_group)
         return false;
+    if (system->joints.count > 0) // they join bodies only there
+        return true;
     for (int b = 0; b < system->body_count; b++)
         if (system->strain_limit[b] && system->strain_limit[b]->on)
             return false;
@@ -116,10 +119,13 @@ bool system_kick(const Method* method, System* system, Contacts* contacts, doubl
     // velocities before: for a step that cannot be solved, and for contacts
     Kick kick = {method, system, h, method->can_fail || contacts->sphere_count > 0};
     const bool in_groups = contacts_in_equation(method, system);
+    joints_begin(&system->joints, h);
     if (in_groups)
         kick_groups(&kick, contacts);
-    else
+    else {
         system_for_each(system, kick_body, &kick);
+        joints_push(&system->joints, h);
+    }
 
     system->unsolved = NONE;
     for (int b = system->body_count - 1; b >= 0; b--)
@@ -128,6 +134,7 @@ bool system_kick(const Method* method, System* system, Contacts* contacts, doubl
     if (system->unsolved != NONE) {
         restore_velocities(system);
         system->unsolved_in_row++;
+        joints_undo(&system->joints);
         if (in_groups)
             contacts_undo(contacts);
         return false;
@@ -149,5 +156,6 @@ void system_close(System* system) {
     free(system->v_start);
     free(system->solved);
     groups_close(&system->groups);
+    joints_close(&system->joints);
     *system = (System){0};
 }

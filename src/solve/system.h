@@ -9,6 +9,7 @@
 #include "constraint/strain_limit.h"
 #include "contact/contacts.h"
 #include "solve/group.h"
+#include "solve/joints/joints.h"
 
 /// Cost and result of the last solve.
 typedef struct SolveStats {
@@ -36,6 +37,7 @@ typedef struct System {
     int unsolved;               ///< first body whose step the last kick did not solve, or NONE
     int unsolved_in_row; ///< kicks since the last that was solved with contacts, in this step
     Groups groups;       ///< of a method whose equation contains the contacts
+    Joints joints;       ///< strings between the bodies, and to knots
 } System;
 
 /// For body_count bodies, whose pointers the caller fills in.

@@ -51,6 +51,8 @@ void picture_open(Picture* picture, const World* world) {
         picture->line_capacity += max_count(balloon, false) + STRING_SEGMENTS * strings;
         picture->ball_reserved += max_count(balloon, true) + STRING_KNOTS * strings;
     }
+    picture->line_capacity += STRING_SEGMENTS * world->system.joints.count;
+    picture->ball_reserved += STRING_KNOTS * world->system.joints.count;
     for (int k = 0; k < world->thing_count; k++)
         thing_surface_open(&picture->skin[world->balloon_count + k], &world->thing[k],
                            world->def.things[k].color);
@@ -122,6 +124,7 @@ void picture_update(Picture* picture, const World* world, const Camera* camera, 
         picture->changed |= surface_update(skin, &world->balloon[b]);
         string_lines_add(picture, &world->balloon[b]);
     }
+    string_lines_add_joints(picture, world);
     PictureSkin* thing = &picture->skin[world->balloon_count];
     for (int k = 0; k < picture->thing_count; k++)
         picture->changed |= thing_surface_update(&thing[k], &world->thing[k]);

@@ -25,10 +25,8 @@ static double sag(double free_length, double chord) {
     return square > 0 ? sqrt(square) : 0;
 }
 
-static void add_string(Picture* picture, const String* string, const Body* body, float knot) {
-    const double4 from = to_double4(body->x[string->particle]);
-    const double4 to = to_double4(string->anchor);
-    const double depth = sag((double)string->free_length, dlength(to - from));
+static void add_string(Picture* picture, double4 from, double4 to, double free_length, float knot) {
+    const double depth = sag(free_length, dlength(to - from));
     const double4 bow = 4 * depth * bow_direction(to - from);
 
     float before[3], now[3];
@@ -51,6 +49,21 @@ static void add_string(Picture* picture, const String* string, const Body* body,
 
 void string_lines_add(Picture* picture, const Balloon* balloon) {
     const Body* body = &balloon->body;
-    for (int s = 0; s < body->string_count; s++)
-        add_string(picture, &body->string[s], body, KNOT_RADIUS * (float)body->size);
+    for (int s = 0; s < body->string_count; s++) {
+        const String* string = &body->string[s];
+        add_string(picture, to_double4(body->x[string->particle]), to_double4(string->anchor),
+                   (double)string->free_length, KNOT_RADIUS * (float)body->size);
+    }
+}
+
+void string_lines_add_joints(Picture* picture, const World* world) {
+    const Joints* joints = &world->system.joints;
+    for (int k = 0; k < joints->count; k++) {
+        const Joint* joint = &joints->joint[k];
+        const double size = joints->body[joint->end[0].body]->size;
+        if (joint->tied)
+            add_string(picture, to_double4(joint_position(joints, joint->end[0], 0)),
+                       to_double4(joint_position(joints, joint->end[1], 0)),
+                       (double)joint->free_length, KNOT_RADIUS * (float)size);
+    }
 }

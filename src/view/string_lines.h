@@ -13,4 +13,7 @@ enum {
 /// Draw the tied strings of a balloon. A string that would hang below the floor lies on it.
 void string_lines_add(Picture* picture, const Balloon* balloon);
 
+/// The same for the tied strings to balloons and knots.
+void string_lines_add_joints(Picture* picture, const World* world);
+
 #endif

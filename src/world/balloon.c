@@ -70,16 +70,27 @@ static int nearest(const Body* body, const double to[3]) {
     return best;
 }
 
-/// The particle that a string's `at` names. scene_load has checked the word, but not the number.
-static int particle_at(const Body* body, const StringDef* def) {
-    if (!def->at || strcmp(def->at, "nearest") == 0)
-        return def->to ? nearest(body, def->to) : lowest(body, 1);
-    if (strcmp(def->at, "lowest") == 0)
+/// scene_load has checked the word, and balloon_check_mesh the number.
+int balloon_particle_at(const Body* body, const char* at, const double to[3]) {
+    if (!at || strcmp(at, "nearest") == 0)
+        return to ? nearest(body, to) : lowest(body, 1);
+    if (strcmp(at, "lowest") == 0)
         return lowest(body, 1);
-    if (strcmp(def->at, "highest") == 0)
+    if (strcmp(at, "highest") == 0)
         return lowest(body, -1);
-    const long loaded = strtol(def->at, NULL, 10);
+    const long loaded = strtol(at, NULL, 10);
     return loaded < body->count ? body->mesh->inside[loaded] : NONE;
+}
+
+void balloon_center(const Body* body, double center[3]) {
+    double4 sum = {0};
+    double mass = 0;
+    for (int i = 0; i < body->count; i++) {
+        sum += (double)body->mass[i] * to_double4(body->x[i]);
+        mass += (double)body->mass[i];
+    }
+    for (int k = 0; k < 3; k++)
+        center[k] = sum[k] / mass;
 }
 
 /// The point straight below a particle: on the floor, or below it by the balloon's size.
@@ -99,7 +110,9 @@ static void tie(Body* body, const WorldDef* world, const StringDef* def, int par
 static void add_strings(Balloon* balloon, const WorldDef* world) {
     for (unsigned k = 0; k < balloon->def->strings_count; k++) {
         const StringDef* string = &balloon->def->strings[k];
-        tie(&balloon->body, world, string, particle_at(&balloon->body, string));
+        if (!string_joins(string))
+            tie(&balloon->body, world, string,
+                balloon_particle_at(&balloon->body, string->at, string->to));
     }
     balloon->strings = balloon->body.string_count;
 }

@@ -36,6 +36,13 @@ typedef struct Balloon {
 bool balloon_open(Balloon* balloon, const WorldDef* def, const Method* method, int number,
                   Fault* fault);
 
+/// The particle that `at` names, as StringDef.at; `to`: of `nearest`. NULL: nearest, or without `to`
+/// the lowest.
+int balloon_particle_at(const Body* body, const char* at, const double to[3]);
+
+/// Center of mass [m].
+void balloon_center(const Body* body, double center[3]);
+
 /// Restore the state that balloon_open made: body, strain limits and amount.
 void balloon_reset(Balloon* balloon, const WorldDef* def);
 

@@ -58,6 +58,7 @@ void blowup_save_state(World* world) {
                    (size_t)balloon->body.membrane.count * sizeof(real));
     }
     contacts_keep(&world->contacts);
+    joints_keep(&world->system.joints);
     world->good_step = world->step_count;
 }
 
@@ -72,6 +73,7 @@ void blowup_take_back(World* world) {
                    (size_t)balloon->body.membrane.count * sizeof(real));
     }
     contacts_put_back(&world->contacts);
+    joints_put_back(&world->system.joints);
     rest_wake_all(world);
 }
 

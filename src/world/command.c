@@ -6,6 +6,7 @@
 #include "base/table.h"
 #include "force/force.h"
 #include "scene/key.h"
+#include "world/knots/knots.h"
 #include "world/rest.h"
 
 /// The balloons that keys act on: [first, last).
@@ -52,7 +53,9 @@ static void tarantino(World* world) {
 static void string(World* world) {
     for (int b = first(world); b < last(world); b++) {
         Balloon* balloon = &world->balloon[b];
-        balloon_tie(balloon, &world->def, balloon->body.string_count == 0);
+        const bool joined = knots_tie(world, b);
+        if (!joined || balloon->strings > 0)
+            balloon_tie(balloon, &world->def, balloon->body.string_count == 0);
     }
 }
 

@@ -39,6 +39,8 @@ static bool is_watched(const World* world) {
     if (!guard_splits(&world->guard, world->method) ||
         (world->contacts.law == CONTACT_PAPER && world->contacts.sphere_count > 0))
         return false;
+    if (world->system.joints.count > 0) // a held knot's work is unknown
+        return false;
     if (world->guard.substeps == 1 && !any_stiffens(world))
         return false;
     for (int b = 0; b < world->balloon_count; b++)

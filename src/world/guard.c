@@ -24,6 +24,14 @@ double guard_bound(const Method* method, const System* system, int* body) {
             *body = b;
         }
     }
+    for (int k = 0; k < system->joints.knot_count; k++) {
+        const Knot* knot = &system->joints.knot[k];
+        const double bound = method_limit(method, knot->w2, 0);
+        if (!knot->held && knot->body != NONE && bound < smallest) {
+            smallest = bound;
+            *body = knot->body;
+        }
+    }
     return smallest;
 }
 

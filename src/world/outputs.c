@@ -7,6 +7,7 @@
 #include "force/strings.h"
 #include "contact/skins/crossings.h"
 #include "mesh/measure.h"
+#include "world/knots/knots.h"
 
 static double kinetic(const Balloon* balloon) {
     const Body* body = &balloon->body;
@@ -129,7 +130,13 @@ static double rubber_worst(const Balloon* balloon) {
 /// An untied string has no tension.
 static double tension(const OutputSubject* s) {
     const Body* body = &s->balloon->body;
-    return s->number < body->string_count ? string_tension(body, s->number) : 0;
+    const Joint* joint = knots_joint(s->world, (int)(s->balloon - s->world->balloon), s->number);
+    if (joint)
+        return joint_tension(&s->world->system.joints, joint);
+    int number = 0; // among the strings to fixed points
+    for (int k = 0; k < s->number; k++)
+        number += !string_joins(&s->balloon->def->strings[k]);
+    return number < body->string_count ? string_tension(body, number) : 0;
 }
 
 /// A component of a ball's position or velocity; NAN for a ball that was removed.

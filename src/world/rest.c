@@ -19,6 +19,8 @@ void rest_wake_all(World* world) {
 
 /// Written so that a NaN is not still.
 static bool is_still(const Body* body, double rest) {
+    if (body->joined_w2 > 0) // the other end of a string may move
+        return false;
     const real speed_max = (real)(rest * body->size);
     for (int i = 0; i < body->count; i++)
         if (!(dot(body->v[i], body->v[i]) < speed_max * speed_max))

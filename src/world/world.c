@@ -13,6 +13,7 @@
 #include "contact/skins/crossings.h"
 #include "force/inflation.h"
 #include "world/command.h"
+#include "world/knots/knots.h"
 #include "world/rest.h"
 #include "world/things/things.h"
 
@@ -86,6 +87,7 @@ static void open_system(World* world) {
 
 static void begin(World* world) {
     open_system(world);
+    knots_begin(world);
     open_contacts(world);
     world->step_count = 0;
     world->selected = ALL_BALLOONS;
@@ -102,13 +104,12 @@ bool world_open(World* world, WorldDef* def, Fault* fault) {
     *def = (WorldDef){0};
     world->method = world->def.method ? method_find(world->def.method) : method_table[0];
     world->balloon = new_array(Balloon, world->def.balloons_count);
-
     bool good = true;
     for (unsigned b = 0; good && b < world->def.balloons_count; b++) {
         good = balloon_open(&world->balloon[b], &world->def, world->method, (int)b, fault);
         world->balloon_count++;
     }
-    if (!good || !things_open(world, fault)) {
+    if (!good || !things_open(world, fault) || !knots_open(world, fault)) {
         world_close(world);
         return false;
     }
@@ -184,6 +185,7 @@ static void drift_balloon(void* self, int b) {
 
 static void drift(World* world, double h) {
     contacts_drift(&world->contacts, h);
+    joints_drift(&world->system.joints, h);
     system_for_each(&world->system, drift_balloon, &(Drift){world, h});
     contacts_penalty(&world->contacts, h);
 }
@@ -347,7 +349,7 @@ uint64_t world_hash(const World* world) {
     for (int k = 0; k < world->thing_count; k++)
         if (world->thing[k].path_count > 0)
             hash = hash_bytes(hash, &world->thing[k].body.x[0], 3 * sizeof(real));
-    return hash;
+    return joints_hash(&world->system.joints, hash);
 }
 
 void world_close(World* world) {
@@ -357,6 +359,7 @@ void world_close(World* world) {
         balloon_close(&world->balloon[b]);
     free(world->balloon);
     things_close(world);
+    knots_close(world);
     scene_free(&world->def);
     *world = (World){0};
 }

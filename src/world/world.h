@@ -24,7 +24,8 @@ struct World {
     int balloon_count;
     Thing* thing; ///< [thing_count] (world/things/things.h)
     int thing_count;
-    System system;     ///< the balloons' bodies, as the method steps them
+    PathPoint** knot_path; ///< [knots of the def] points of the paths of held knots
+    System system;     ///< the balloons' bodies, as the method steps them; their strings to knots
     Contacts contacts; ///< balls, floor, walls, things
     double step;       ///< h [s]
     long step_count;   ///< steps since the start or the last reset

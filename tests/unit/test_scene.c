@@ -130,7 +130,7 @@ static void every_key_of_a_balloon_loads_into_its_field(void** state) {
     scene_free(&def);
 }
 
-static void every_key_of_inflation_and_strings_loads_into_its_field(void** state) {
+static void every_key_of_inflation_loads_into_its_field(void** state) {
     (void)state;
     WorldDef def;
     must_load(full, NULL, &def);
@@ -141,14 +141,6 @@ static void every_key_of_inflation_and_strings_loads_into_its_field(void** state
     assert_true(inflation->min == 0.5 && inflation->max == 9 && *inflation->ambient == 1e5);
     const FillDef* filling = inflation->fill;
     assert_true(filling->to == 3 && filling->start == 0.25 && filling->seconds == 0.5);
-    assert_int_equal(def.balloons->strings_count, 2);
-    const StringDef* string = def.balloons->strings;
-    assert_vector(string[0].to, 0, -6, 0.5);
-    assert_string_equal(string[0].at, "nearest");
-    assert_true(string[0].stiffness == 50 && string[0].slack == 1.2);
-    assert_null(string[1].to);
-    assert_string_equal(string[1].at, "12");
-    assert_true(string[1].stiffness == 7 && string[1].slack == 1);
     scene_free(&def);
 }
 
@@ -357,7 +349,7 @@ int main(void) {
         cmocka_unit_test(every_key_of_spheres_and_walls_loads_into_its_field),
         cmocka_unit_test(every_key_of_things_loads_into_its_field),
         cmocka_unit_test(every_key_of_a_balloon_loads_into_its_field),
-        cmocka_unit_test(every_key_of_inflation_and_strings_loads_into_its_field),
+        cmocka_unit_test(every_key_of_inflation_loads_into_its_field),
         cmocka_unit_test(what_a_scene_does_not_name_is_absent),
         cmocka_unit_test(a_scene_with_lists_in_one_line_and_comments_loads),
         cmocka_unit_test(defaults_of_rows_are_those_of_the_program),

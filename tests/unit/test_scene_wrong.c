@@ -99,6 +99,12 @@ static const Wrong wrong_table[] = {
      "things.0: a path is followed at 50 m/s at most"},
     {HEAD "things: [{model: box, position: [0, 0, 0], path: [{position: [0, 0, 0]}]}]\n", 5,
      "things.0: give position or path, not both"},
+    {HEAD "    skin: {springs: {structural: 1}}\n    strings: [{to_knot: 0, stiffness: 1}]\n", 6, "balloons.0: to_balloon is the number of another balloon, to_knot that of"},
+    {HEAD "    skin: {springs: {structural: 1}}\n    strings: [{to_balloon: 0, stiffness: 1}]\n", 6, "to_balloon is the number of another balloon"},
+    {HEAD "    skin: {springs: {structural: 1}}\n    strings: [{to_knot: 0, to: [0, 1, 0], stiffness: 1}]\nknots: [{position: [0, 0, 0]}]\n", 6,
+     "a string leads to one end"},
+    {HEAD "knots: [{mass: 1}]\n", 5, "knots.0: give its position, or its path"},
+    {HEAD "knots: [{mass: 1, path: [{position: [0, 0, 0]}]}]\n", 5, "knots.0: a knot on a path is held"},
     // YAML itself
     {HEAD "    color: [1, 1\n",      5, "this is not YAML"},
     {HEAD "   color: 1\n",           5, "this is not YAML"},

@@ -63,17 +63,15 @@ void thing_make(Thing* thing, const Mesh* mesh, real friction, const PathPoint* 
     thing_reset(thing);
 }
 
-/// From the first point of the path.
-static double4 path_displacement(const Thing* thing, double t) {
-    if (thing->path_count == 0 || t <= thing->path[0].at)
+double4 path_displacement(const PathPoint* first, int count, double t) {
+    if (count == 0 || t <= first->at)
         return (double4){0};
-    const PathPoint* first = thing->path;
-    for (const PathPoint* to = first + 1; to < first + thing->path_count; to++)
+    for (const PathPoint* to = first + 1; to < first + count; to++)
         if (t < to->at) {
             const double part = (t - to[-1].at) / (to->at - to[-1].at);
             return to[-1].position - first->position + part * (to->position - to[-1].position);
         }
-    return first[thing->path_count - 1].position - first->position;
+    return first[count - 1].position - first->position;
 }
 
 static void stand_still(Thing* thing) {
@@ -100,8 +98,9 @@ void thing_begin_drift(Thing* thing, double h) {
     }
     Body* body = &thing->body;
     const double rate = fmin(1 / h, return_rate);
-    const double4 now = path_displacement(thing, thing->time), lag = now - thing->displacement;
-    const double4 along = path_displacement(thing, thing->time + h) - now;
+    const double4 now = path_displacement(thing->path, thing->path_count, thing->time),
+                  lag = now - thing->displacement,
+                  along = path_displacement(thing->path, thing->path_count, thing->time + h) - now;
     // at rest a rounding remains as it is
     if (dlength(along) == 0 && dlength(lag) <= (double)REAL_EPSILON * body->size) {
         stand_still(thing);

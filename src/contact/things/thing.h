@@ -47,6 +47,9 @@ typedef struct Thing {
     double4 good_displacement;
 } Thing;
 
+/// Displacement at time t from the first point of a path of `count` points; 0 without a path [m].
+double4 path_displacement(const PathPoint* path, int count, double t);
+
 /// Make a thing at the first positions of its path from a mesh, which the thing then owns, with its
 /// points where they are to be at path[0]. path: [path_count], copied.
 void thing_make(Thing* thing, const Mesh* mesh, real friction, const PathPoint* path,

@@ -150,6 +150,9 @@ static void write_row(const World* world, FILE* csv) {
 }
 
 bool peer_run(World* world, const PeerRun* options, FILE* csv, Fault* fault) {
+    if (world->system.joints.count > 0)
+        return fault_set(fault, world->def.file,
+                         "Bullet's soft body takes no string to a balloon or a knot");
     const PeerLinks links = fitted_links(world, &options->fit);
     if (!options->quiet)
         fprintf(stderr, "balloon: Bullet's links have stiffness %g in %d rounds\n", links.stiffness,

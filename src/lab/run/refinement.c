@@ -44,11 +44,19 @@ static int points_of(const char* model) {
     return count;
 }
 
-/// Whether a string is tied to a particle by its number, which holds for one mesh only.
-static bool is_tied_by_number(const BalloonDef* balloon) {
-    for (unsigned s = 0; s < balloon->strings_count; s++)
-        if (balloon->strings[s].at && strspn(balloon->strings[s].at, "0123456789") > 0)
-            return true;
+static bool is_number(const char* at) {
+    return at && strspn(at, "0123456789") > 0;
+}
+
+/// Whether a string is tied to a particle of balloon b by its number, which holds for one mesh only.
+static bool is_tied_by_number(const WorldDef* def, unsigned b) {
+    for (unsigned k = 0; k < def->balloons_count; k++)
+        for (unsigned s = 0; s < def->balloons[k].strings_count; s++) {
+            const StringDef* string = &def->balloons[k].strings[s];
+            if ((k == b && is_number(string->at)) ||
+                (string->to_balloon && *string->to_balloon == b && is_number(string->to_at)))
+                return true;
+        }
     return false;
 }
 
@@ -71,7 +79,7 @@ bool refinement_add(const World* world, int refinement, Overrides* sets) {
     for (unsigned b = 0; b < world->def.balloons_count; b++) {
         const BalloonDef* balloon = &world->def.balloons[b];
         char name[MAX_NAME];
-        if (is_tied_by_number(balloon) || !refined_name(balloon->model, refinement, name))
+        if (is_tied_by_number(&world->def, b) || !refined_name(balloon->model, refinement, name))
             continue;
         Shares shares = {.sets = sets,
                          .share = (double)world->balloon[b].body.count / points_of(name)};

@@ -1,0 +1,168 @@
+#include "solve/joints/joints.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/hash.h"
+#include "base/memory.h"
+
+void joints_open(Joints* joints, Body* const* body, int body_count, double gravity) {
+    *joints = (Joints){.body = body,
+                       .body_count = body_count,
+                       .joined = new_array(int, body_count),
+                       .gravity = gravity};
+    for (int b = 0; b < body_count; b++)
+        joints->joined[b] = b;
+}
+
+void joints_close(Joints* joints) {
+    free(joints->joint);
+    free(joints->knot);
+    free(joints->joined);
+    *joints = (Joints){0};
+}
+
+void joints_add_knot(Joints* joints, const double position[3], double mass, const PathPoint* path,
+                     int path_count) {
+    const double rest[3] = {0};
+    array_reserve(joints->knot, joints->knot_count, joints->knot_capacity);
+    Knot* knot = &joints->knot[joints->knot_count++];
+    *knot = (Knot){.point = sphere_of(position, rest, 1, mass, 0, 0),
+                   .held = !(mass > 0),
+                   .start = {position[0], position[1], position[2], 0},
+                   .path = path,
+                   .path_count = path_count,
+                   .body = NONE};
+    knot->good = knot->point;
+}
+
+/// Connect two bodies: all that are connected to either have the same first body.
+static void connect(Joints* joints, int a, int b) {
+    const int first = joints->joined[a], other = joints->joined[b];
+    for (int k = 0; k < joints->body_count; k++)
+        if (joints->joined[k] == other || joints->joined[k] == first)
+            joints->joined[k] = first < other ? first : other;
+}
+
+static void couple(Joints* joints, const Joint* joint) {
+    const int body = joint->end[0].body;
+    if (joint->end[1].body != NONE) {
+        connect(joints, body, joint->end[1].body);
+        return;
+    }
+    Knot* knot = &joints->knot[joint->end[1].number];
+    if (knot->held)
+        return;
+    knot->w2 += 2 * (double)joint->stiffness / (double)knot->point.mass;
+    if (knot->body == NONE)
+        knot->body = body;
+    connect(joints, knot->body, body);
+}
+
+void joints_add(Joints* joints, JointEnd from, JointEnd to, double stiffness, double slack) {
+    array_reserve(joints->joint, joints->count, joints->capacity);
+    Joint* joint = &joints->joint[joints->count++];
+    const real4 d = joint_position(joints, to, 0) - joint_position(joints, from, 0);
+    *joint = (Joint){.end = {from, to},
+                     .stiffness = (real)stiffness,
+                     .free_length = (real)slack * length(d),
+                     .tied = true};
+    for (int e = 0; e < 2; e++)
+        if (joint->end[e].body != NONE) {
+            Body* body = joints->body[joint->end[e].body];
+            body->joined_w2 += 2 * stiffness * (double)body->inverse_mass[joint->end[e].number];
+        }
+    couple(joints, joint);
+}
+
+real4 joint_position(const Joints* joints, JointEnd end, double h) {
+    if (end.body != NONE)
+        return joints->body[end.body]->x[end.number];
+    const Sphere* point = &joints->knot[end.number].point;
+    return point->x + (real)h * point->v;
+}
+
+real4 joint_force(const Joints* joints, const Joint* joint, double h) {
+    const real4 d =
+        joint_position(joints, joint->end[1], h) - joint_position(joints, joint->end[0], h);
+    const real size = length(d), over = size - joint->free_length;
+    return joint->tied && over > 0 ? (joint->stiffness * over / size) * d : (real4){0, 0, 0, 0};
+}
+
+double joint_tension(const Joints* joints, const Joint* joint) {
+    return (double)length(joint_force(joints, joint, 0));
+}
+
+double joints_energy(const Joints* joints) {
+    double sum = 0;
+    for (int k = 0; k < joints->count; k++) {
+        const double tension = joint_tension(joints, &joints->joint[k]);
+        if (tension > 0)
+            sum += tension * tension / (2 * (double)joints->joint[k].stiffness);
+    }
+    return sum;
+}
+
+void joints_begin(Joints* joints, double h) {
+    for (int k = 0; k < joints->knot_count; k++) {
+        Knot* knot = &joints->knot[k];
+        knot->v_before = knot->point.v;
+        if (!knot->held) {
+            knot->point.v[1] -= (real)(h * joints->gravity);
+            continue;
+        }
+        const double4 to =
+            knot->start + path_displacement(knot->path, knot->path_count, joints->time + h);
+        knot->point.v = to_real4((to - to_double4(knot->point.x)) / h);
+    }
+}
+
+void joints_undo(Joints* joints) {
+    for (int k = 0; k < joints->knot_count; k++)
+        joints->knot[k].point.v = joints->knot[k].v_before;
+}
+
+static void push_end(Joints* joints, JointEnd end, real4 impulse) {
+    if (end.body != NONE) {
+        Body* body = joints->body[end.body];
+        body->v[end.number] += body->inverse_mass[end.number] * impulse;
+    } else if (!joints->knot[end.number].held) {
+        joints->knot[end.number].point.v += impulse / joints->knot[end.number].point.mass;
+    }
+}
+
+void joints_push(Joints* joints, double h) {
+    for (int k = 0; k < joints->count; k++) {
+        const Joint* joint = &joints->joint[k];
+        const real4 impulse = (real)h * joint_force(joints, joint, 0);
+        push_end(joints, joint->end[0], impulse);
+        push_end(joints, joint->end[1], -impulse);
+    }
+}
+
+void joints_drift(Joints* joints, double h) {
+    for (int k = 0; k < joints->knot_count; k++)
+        joints->knot[k].point.x += (real)h * joints->knot[k].point.v;
+    joints->time += h;
+}
+
+void joints_keep(Joints* joints) {
+    for (int k = 0; k < joints->knot_count; k++)
+        joints->knot[k].good = joints->knot[k].point;
+    joints->good_time = joints->time;
+}
+
+void joints_put_back(Joints* joints) {
+    for (int k = 0; k < joints->knot_count; k++)
+        joints->knot[k].point = joints->knot[k].good;
+    joints->time = joints->good_time;
+}
+
+uint64_t joints_hash(const Joints* joints, uint64_t hash) {
+    for (int k = 0; k < joints->knot_count; k++) {
+        const Sphere* point = &joints->knot[k].point;
+        hash = hash_bytes(hash, &point->x, 3 * sizeof(real));
+        hash = hash_bytes(hash, &point->v, 3 * sizeof(real));
+    }
+    return hash;
+}
