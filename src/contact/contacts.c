@@ -53,8 +53,10 @@ void contacts_wake(Contacts* contacts, int skin, int other) {
         return;
     Body* body = contacts->skin[skin].body;
     const bool is_ball = other == NONE, is_thing = !is_ball && contacts_thing(contacts, other);
-    if (is_ball || (is_thing ? !contacts->skin[other].body->asleep : body->asleep))
-        body_wake(body);
+    if (!is_ball && !(is_thing ? !contacts->skin[other].body->asleep : body->asleep))
+        return;
+    contacts->woke |= body->asleep;
+    body_wake(body);
 }
 
 /// Allocate what only scenes with balls need, at the first ball.

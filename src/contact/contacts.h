@@ -83,6 +83,7 @@ typedef struct Contacts {
     Sphere* start;       ///< [start_capacity] the balls before contacts_begin
     double start_kicked; ///< `kicked` then [s]
     long pass_throughs;
+    bool woke; ///< a sleeping skin was touched: its bound on the step is not in the guard's
     long zone_particles; ///< particles that were in impact zones, summed over drifts
     double
         separation_work; ///< kinetic energy given to undo overlaps with planes and of balls, and by

@@ -272,6 +272,7 @@ static void update_guard(World* world) {
     int body;
     const GuardVerdict verdict =
         guard_update(&world->guard, world->method, &world->system, world->step, &body);
+    world->contacts.woke = false;
     blowup_report(world, verdict, body);
 }
 
@@ -285,7 +286,8 @@ static void make_substeps(World* world) {
         advance(world, h);
         guard->since_look++;
         remaining--;
-        if (is_over(world) || remaining == 0 || !guard_due_within(guard))
+        const bool due = guard_due_within(guard) || world->contacts.woke;
+        if (is_over(world) || remaining == 0 || !due)
             continue;
         if (blowup_is_bad(world)) // it has no bound, and is taken back or named below
             return;
@@ -306,7 +308,7 @@ void world_step(World* world) {
     update_amounts(world);
 
     // compare the step with the stability bound, which changes with the state
-    if (guard_due(&world->guard, world->step_count))
+    if (guard_due(&world->guard, world->step_count) || world->contacts.woke)
         update_guard(world);
     if (world->blowup.halted)
         return;

@@ -150,6 +150,27 @@ static void a_thing_that_would_press_a_skin_to_nothing_is_held_up(void** state) 
     world_close(&world);
 }
 
+/// A balloon that sleeps on a box wakes when that begins to move, in substeps that are stable, and sleeps
+/// again on the way's end.
+static void a_thing_that_begins_to_move_wakes_what_lies_on_it(void** state) {
+    (void)state;
+    World world;
+    OPEN_TEXT(&world, "step: 1e-3\nsleep_threshold: 0.01\n" BALLOON("0.105"),
+              "things=[{model: box, size: [0.6, 0.2, 0.6], path: [{at: 2, position: [0, -0.1, 0]}, "
+              "{at: 2.3, position: [0, 0, 0]}]}]");
+    run_for(&world, 2);
+    assert_true(world.balloon[0].body.asleep);
+    const double before = probe(&world, "balloon0.cy");
+    run_for(&world, 0.1);
+    assert_false(world.balloon[0].body.asleep || world.blowup.halted);
+    run_for(&world, 2);
+    assert_true(world.balloon[0].body.asleep);
+    assert_near(probe(&world, "balloon0.cy") - before, 0.1, 1e-3);
+    assert_close(probe(&world, "thing0.fy"), -weight(&world), 2e-3);
+    assert_int_equal(crossings_with_things(&world), 0);
+    world_close(&world);
+}
+
 /// Two balloons between two plates: at rest both plates feel the same force, and what is pressed together
 /// does not cross.
 static void plates_that_press_two_balloons_feel_one_force(void** state) {
@@ -223,6 +244,7 @@ int main(void) {
         cmocka_unit_test(skins_never_cross_edges_and_spikes),
         cmocka_unit_test(momentum_of_a_pushed_balloon_is_the_things_impulse),
         cmocka_unit_test(a_thing_that_would_press_a_skin_to_nothing_is_held_up),
+        cmocka_unit_test(a_thing_that_begins_to_move_wakes_what_lies_on_it),
         cmocka_unit_test(plates_that_press_two_balloons_feel_one_force),
         cmocka_unit_test(balls_bounce_rest_and_roll_on_a_box),
         cmocka_unit_test(refused_things_are_said_in_one_sentence),
