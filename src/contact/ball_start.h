@@ -5,12 +5,11 @@
 #ifndef BALLOON_CONTACT_BALL_START_H
 #define BALLOON_CONTACT_BALL_START_H
 
-#include "body/body.h"
-#include "contact/sphere.h"
+#include "contact/contacts.h"
 
 /// Move a ball that overlaps a skin by more than half its radius away from the nearest points until
 /// it touches, on the side of the skin where its centre is. Returns the number of the first skin that
-/// it overlapped so, or NONE where it was not moved. body: [count] skins.
-int ball_start_clear(Sphere* sphere, Body* const* body, int count);
+/// it overlapped so, or NONE where it was not moved.
+int ball_start_clear(Sphere* sphere, const Contacts* contacts);
 
 #endif

@@ -51,13 +51,14 @@ static void open_contacts(World* world) {
         const double none[3] = {0};
         Sphere sphere = sphere_of(ball->position, ball->velocity ? ball->velocity : none,
                                   ball->radius, ball->mass, ball->restitution, ball->friction);
-        const int skin = ball_start_clear(&sphere, world->system.body, world->balloon_count);
+        const int skin = ball_start_clear(&sphere, &world->contacts);
+        const bool thing = skin >= world->balloon_count;
         if (skin != NONE)
-            snprintf(
-                world->notice, sizeof world->notice,
-                "spheres.%u begins across the skin of balloons.%d; it was moved to %.3g, %.3g, "
-                "%.3g",
-                s, skin, (double)sphere.x[0], (double)sphere.x[1], (double)sphere.x[2]);
+            snprintf(world->notice, sizeof world->notice,
+                     "spheres.%u begins across %s.%d; it was moved to %.3g, %.3g, %.3g", s,
+                     thing ? "things" : "the skin of balloons",
+                     thing ? skin - world->balloon_count : skin, (double)sphere.x[0],
+                     (double)sphere.x[1], (double)sphere.x[2]);
         contacts_add(&world->contacts, &sphere);
     }
 }

@@ -214,6 +214,16 @@ static void balls_bounce_rest_and_roll_on_a_box(void** state) {
     world_close(&world);
 }
 
+static void a_ball_that_begins_across_a_box_is_moved_out(void** state) {
+    (void)state;
+    World world;
+    OPEN_TEXT(&world, "step: 1e-3\n" BOX BALLOON("0.105"),
+              "spheres=[{position: [0.2, 0.01, 0], radius: 0.05, mass: 1}]");
+    assert_non_null(strstr(world.notice, "spheres.0 begins across things.0"));
+    assert_near(probe(&world, "sphere0.y"), 0.05, 1e-4);
+    world_close(&world);
+}
+
 static void refused_things_are_said_in_one_sentence(void** state) {
     (void)state;
     const struct {
@@ -247,6 +257,7 @@ int main(void) {
         cmocka_unit_test(a_thing_that_begins_to_move_wakes_what_lies_on_it),
         cmocka_unit_test(plates_that_press_two_balloons_feel_one_force),
         cmocka_unit_test(balls_bounce_rest_and_roll_on_a_box),
+        cmocka_unit_test(a_ball_that_begins_across_a_box_is_moved_out),
         cmocka_unit_test(refused_things_are_said_in_one_sentence),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
