@@ -8,13 +8,13 @@
 #include "base/hash.h"
 #include "base/interrupt.h"
 #include "base/memory.h"
-#include "contact/ball_start.h"
 #include "contact/reaction.h"
 #include "contact/skins/crossings.h"
 #include "force/inflation.h"
 #include "world/command.h"
 #include "world/knots/knots.h"
 #include "world/rest.h"
+#include "world/things/balls.h"
 #include "world/things/things.h"
 
 enum { SPLITS_MAX = 1024 };    ///< a method that cannot solve 1/1024 of a step fails
@@ -45,22 +45,7 @@ static void open_contacts(World* world) {
                   world->balloon_count);
     free(plane);
     things_begin(world);
-
-    for (unsigned s = 0; s < def->spheres_count; s++) {
-        const SphereDef* ball = &def->spheres[s];
-        const double none[3] = {0};
-        Sphere sphere = sphere_of(ball->position, ball->velocity ? ball->velocity : none,
-                                  ball->radius, ball->mass, ball->restitution, ball->friction);
-        const int skin = ball_start_clear(&sphere, &world->contacts);
-        const bool thing = skin >= world->balloon_count;
-        if (skin != NONE)
-            snprintf(world->notice, sizeof world->notice,
-                     "spheres.%u begins across %s.%d; it was moved to %.3g, %.3g, %.3g", s,
-                     thing ? "things" : "the skin of balloons",
-                     thing ? skin - world->balloon_count : skin, (double)sphere.x[0],
-                     (double)sphere.x[1], (double)sphere.x[2]);
-        contacts_add(&world->contacts, &sphere);
-    }
+    balls_begin(world);
 }
 
 /// Say which skins that may touch cross at the start: few scenes mean that. (None crosses a thing.)
