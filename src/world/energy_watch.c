@@ -39,7 +39,7 @@ static bool is_watched(const World* world) {
     if (!guard_splits(&world->guard, world->method) ||
         (world->contacts.law == CONTACT_PAPER && world->contacts.sphere_count > 0))
         return false;
-    if (world->system.joints.count > 0) // a held knot's work is unknown
+    if (joints_are_led(&world->system.joints)) // the work of a knot on a path is unknown
         return false;
     if (world->guard.substeps == 1 && !any_stiffens(world))
         return false;
@@ -63,6 +63,8 @@ static double kinetic(const World* world) {
     }
     for (int s = 0; s < world->contacts.sphere_count; s++)
         sum += ball_kinetic(&world->contacts.sphere[s]);
+    for (int k = 0; k < world->system.joints.knot_count; k++)
+        sum += ball_kinetic(&world->system.joints.knot[k].point);
     return sum;
 }
 
@@ -81,6 +83,7 @@ static double kinetic_at_positions(const World* world, Body* body) {
     if (!world->method->staggered || body->asleep)
         return vectors()->weighted_squares(body->mass, body->v, body->count) / 2;
     force_sum(body);
+    joints_add_forces(&world->system.joints, body);
     const real half = (real)(world->kicked / 2);
     double sum = 0;
     for (int i = 0; i < body->count; i++) {
@@ -114,6 +117,17 @@ static void add_balls(const World* world, const Sphere* ball, int count, Energie
     }
 }
 
+/// Joints and free knots.
+static void add_joints(const World* world, Energies* sum) {
+    const Joints* joints = &world->system.joints;
+    const double energy = joints_energy(joints);
+    sum->forces += energy;
+    sum->stored += energy;
+    for (int k = 0; k < joints->knot_count; k++)
+        if (!joints->knot[k].held)
+            add_balls(world, &joints->knot[k].point, 1, sum);
+}
+
 /// The saved state instead of the present one, and back.
 static void swap_states(World* world) {
     for (int b = 0; b < world->balloon_count; b++) {
@@ -122,6 +136,7 @@ static void swap_states(World* world) {
         balloon->body.x = balloon->good_x, balloon->body.v = balloon->good_v;
         balloon->good_x = x, balloon->good_v = v;
     }
+    joints_swap(&world->system.joints);
 }
 
 static Energies measure(World* world, const Sphere* ball, int balls) {
@@ -129,6 +144,7 @@ static Energies measure(World* world, const Sphere* ball, int balls) {
     for (int b = 0; b < world->balloon_count; b++)
         add_balloon(world, &world->balloon[b].body, &sum);
     add_balls(world, ball, balls, &sum);
+    add_joints(world, &sum);
     sum.stored += sum.kinetic;
     return sum;
 }

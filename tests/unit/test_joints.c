@@ -199,6 +199,22 @@ static void rest_is_the_same_by_both_methods(void** state) {
     }
 }
 
+/// A string and a free knot that are much stiffer than the skins: the guard splits the step by their
+/// bound, and the total energy of the free motion does not grow beyond that of the stretched strings.
+static void a_stiff_joint_is_within_the_stability_bound(void** state) {
+    (void)state;
+    World world;
+    open_scene(&world, free_scene, "balloons.0.strings.0.stiffness=20000", "step=0.002");
+    const double start = joints_energy(&world.system.joints);
+    run_for(&world, 0.2);
+    assert_true(world.guard.substeps > 1);
+    assert_true(is_finite(&world));
+    const double now = joints_energy(&world.system.joints) + probe(&world, "balloon0.kinetic") +
+                       probe(&world, "balloon1.kinetic");
+    assert_less(now, 1.1 * start); // semi-implicit Euler's energy oscillates by h w / 2
+    world_close(&world);
+}
+
 /// Untied, the string has no tension; tied again, it has.
 static void a_key_ties_and_unties_joints(void** state) {
     (void)state;
@@ -257,6 +273,7 @@ int main(void) {
         cmocka_unit_test(a_force_is_the_gradient_of_its_energy),
         cmocka_unit_test(a_tangent_is_the_derivative_of_the_impulse),
         cmocka_unit_test(rest_is_the_same_by_both_methods),
+        cmocka_unit_test(a_stiff_joint_is_within_the_stability_bound),
         cmocka_unit_test(a_key_ties_and_unties_joints),
         cmocka_unit_test(a_held_knot_follows_its_path),
         cmocka_unit_test(every_key_of_strings_and_knots_loads_into_its_field),

@@ -146,6 +146,31 @@ void joints_drift(Joints* joints, double h) {
     joints->time += h;
 }
 
+bool joints_are_led(const Joints* joints) {
+    for (int k = 0; k < joints->knot_count; k++)
+        if (joints->knot[k].path_count > 0)
+            return true;
+    return false;
+}
+
+void joints_add_forces(const Joints* joints, const Body* body) {
+    for (int k = 0; k < joints->count; k++)
+        for (int e = 0; e < 2; e++) {
+            const JointEnd* end = &joints->joint[k].end[e];
+            if (end->body != NONE && joints->body[end->body] == body)
+                body->f[end->number] +=
+                    (e ? -1 : (real)1) * joint_force(joints, &joints->joint[k], 0);
+        }
+}
+
+void joints_swap(Joints* joints) {
+    for (int k = 0; k < joints->knot_count; k++) {
+        const Sphere point = joints->knot[k].point;
+        joints->knot[k].point = joints->knot[k].good;
+        joints->knot[k].good = point;
+    }
+}
+
 void joints_keep(Joints* joints) {
     for (int k = 0; k < joints->knot_count; k++)
         joints->knot[k].good = joints->knot[k].point;

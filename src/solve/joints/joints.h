@@ -98,6 +98,15 @@ void joints_drift(Joints* joints, double h);
 /// The hash continued with the positions and velocities of the knots.
 uint64_t joints_hash(const Joints* joints, uint64_t hash);
 
+/// Whether a knot follows a path.
+bool joints_are_led(const Joints* joints);
+
+/// Add the forces of the joints at the present positions to the f of a body.
+void joints_add_forces(const Joints* joints, const Body* body);
+
+/// Exchange the knots' present state and the saved one.
+void joints_swap(Joints* joints);
+
 /// Save and restore the knots.
 void joints_keep(Joints* joints);
 void joints_put_back(Joints* joints);
