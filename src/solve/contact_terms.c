@@ -161,6 +161,14 @@ void contact_terms_update_multipliers(Group* group) {
     }
 }
 
+void contact_terms_undo_update(Group* group) {
+    for (int t = 0; t < group->term_count; t++) {
+        const ContactTerm* term = &group->term[t];
+        term->contact->normal_impulse = term->multiplier;
+        term->contact->tangent_impulse = term->tangent_multiplier;
+    }
+}
+
 /// Add J^T H J of the couplings within bodies to the bodies' matrices.
 static void assemble_term(Group* group, const ContactTerm* term) {
     const Contact* c = term->contact;

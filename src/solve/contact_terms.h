@@ -92,6 +92,9 @@ void contact_terms_evaluate(struct Group* group);
 /// Set L to P. Subtract J^T of P's change from the residual, and compute H anew.
 void contact_terms_update_multipliers(struct Group* group);
 
+/// Set the contacts' impulses P to what they were before the last update, for which R was computed.
+void contact_terms_undo_update(struct Group* group);
+
 /// Add J^T H J to the bodies' matrices, and compute the balls' blocks of the preconditioner.
 void contact_terms_assemble(struct Group* group);
 

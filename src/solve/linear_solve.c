@@ -1,5 +1,7 @@
 #include "solve/linear_solve.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,8 +11,9 @@
 #include "solve/group_vector.h"
 
 enum {
-    PRODUCTS_MAX = 2000, ///< of one solve
-    LEVELS_AGE_MAX = 40  ///< tangents for which coarse levels are kept
+    PRODUCTS_MAX = 2000,    ///< of one solve
+    LEVELS_AGE_MAX = 40,    ///< tangents for which coarse levels are kept
+    PRESSURE_ROUNDINGS = 16 ///< of n R T / V: of the volume's sum most; measured up to 10
 };
 
 /// Coarse levels are rebuilt when a solve takes more products than
@@ -42,13 +45,27 @@ void linear_solve_begin(LinearSolve* linear, const Body* body) {
             linear->has_held = true;
 }
 
+/// Square of the rounding error of a gas's force, over that of positions: the gauge pressure is a
+/// difference of absolute pressures, computed in double. At rest in air it is all that remains of R.
+static double gas_noise(const Body* body, double h) {
+    const Inflation* gas = &body->inflation;
+    if (gas->law != INFLATE_GAS)
+        return 0;
+    const double pressure = PRESSURE_ROUNDINGS * (gas->ambient + fabs(gas->pressure));
+    double squared = 0; // of dV/dx
+    for (int i = 0; i < body->count; i++)
+        squared += (double)(body->inverse_mass[i] * dot(gas->gradient[i], gas->gradient[i]));
+    const double force = DBL_EPSILON / (double)REAL_EPSILON * pressure * h;
+    return force * force * squared;
+}
+
 /// A of one body without contacts; with `project`, K's blocks are replaced by their positive parts.
 /// Returns the square of the rounding error's part.
 static double assemble(const GroupBody* part, double h, bool project) {
     LinearSolve* linear = part->linear;
     Body* body = part->body;
     tangent_update(&linear->tangent, body, h * h, project);
-    double noise = 0;
+    double noise = gas_noise(body, h);
     for (int i = 0; i < body->count; i++) {
         Block* block = block_matrix_diagonal(&linear->tangent.matrix, i);
         const real distance = length(body->x[i]);

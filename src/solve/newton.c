@@ -39,7 +39,7 @@ static const double update_share = 0.1;
 
 /// |R| for updated multipliers at which contacts are solved; contacts_finish solves what remains of
 /// an overlap. [of the residual's scale]
-static const double contact_tolerance = 3e-4;
+static const double contact_tolerance = 7e-4;
 
 /// Tighter tolerances are solved without contacts. [1]
 static const double contact_residual_min = 1e-7;
@@ -230,7 +230,10 @@ static double update_contacts(Group* group, double size, double* size_updated, d
     contact_terms_update_multipliers(group);
     *size_updated = group_inverse_mass_norm(group, GROUP_RESIDUAL);
     *solved = size <= size_max && *size_updated <= fmax(size_max, contact_max);
-    return *solved ? size : *size_updated;
+    if (!*solved)
+        return *size_updated;
+    contact_terms_undo_update(group); // the velocities are those of the impulses before
+    return size;
 }
 
 /// Newton's iterations from a residual of norm `size`. False: the equation is not solved.

@@ -5,7 +5,7 @@
 ///               dP, so that P = -h^2 dE/dx to first order: u += w dP, w = 1 / (m + h c)
 ///     v' = u / h
 ///
-/// An iteration relaxes all springs, eight at a time that share no particle (solve/batches.h),
+/// An iteration relaxes all springs, eight at a time that share no particle (solve/batch/batches.h),
 /// then strings, then the gas. The scene sets the number of iterations (default 1, for many small
 /// steps). Converged iterations give the step of backward Euler; too few make the skin softer, by
 /// an amount that depends on iterations, step and mesh. Order 1; never unstable; conserves linear
@@ -31,7 +31,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "solve/batches.h"
+#include "solve/batch/batches.h"
 #include "solve/method.h"
 #include "solve/predict.h"
 

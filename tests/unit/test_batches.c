@@ -1,6 +1,6 @@
 /// Batches of springs contain each spring once, and no particle twice.
 #include "bodies.h"
-#include "solve/batches.h"
+#include "solve/batch/batches.h"
 
 static void check(const char* name) {
     Mesh mesh;

@@ -106,7 +106,7 @@ static void momentum_of_a_pushed_balloon_is_the_things_impulse(void** state) {
                   "things=[{model: box, size: [0.4, 0.2, 0.4], rotation: [0, 0, 10], path: "
                   "[{position: [0.02, "
                   "-0.2, 0]}, {at: 0.1, position: [0, 0, 0]}, {at: 0.2, position: [0, 0, 0]}]}]",
-                  method[m]);
+                  "solver.tolerance=1e-7", method[m]);
         double before[3] = {0}, force = 0;
         for (int n = 0; n < 200; n++) {
             world_step(&world);

@@ -1,11 +1,11 @@
-#include "solve/batches.h"
+#include "solve/batch/batches.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/cpu.h"
 #include "base/memory.h"
-#include "solve/batch_kernel.h"
+#include "solve/batch/batch_kernel.h"
 
 enum { WINDOW = 32 };
 

@@ -3,8 +3,8 @@
 ///
 /// Each spring, in order, joins the first open batch in which neither of its ends occurs. WINDOW
 /// batches are open at a time, so that a batch's springs are near each other in memory.
-#ifndef BALLOON_SOLVE_BATCHES_H
-#define BALLOON_SOLVE_BATCHES_H
+#ifndef BALLOON_SOLVE_BATCH_BATCHES_H
+#define BALLOON_SOLVE_BATCH_BATCHES_H
 
 #include <stdint.h>
 

@@ -1,5 +1,5 @@
 /// Compiled for each kind of machine: base/cpu.h. Equations: xpbd.c.
-#include "solve/batch_kernel.h"
+#include "solve/batch/batch_kernel.h"
 #include "base/lanes.h"
 
 #define ALWAYS inline __attribute__((always_inline))

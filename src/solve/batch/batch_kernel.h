@@ -1,8 +1,8 @@
 /// An iteration over batches of springs, compiled once for each kind of machine (base/cpu.h).
-#ifndef BALLOON_SOLVE_BATCH_KERNEL_H
-#define BALLOON_SOLVE_BATCH_KERNEL_H
+#ifndef BALLOON_SOLVE_BATCH_BATCH_KERNEL_H
+#define BALLOON_SOLVE_BATCH_BATCH_KERNEL_H
 
-#include "solve/batches.h"
+#include "solve/batch/batches.h"
 
 typedef void BatchRelax(Batches* batches, SpringLaw law, const real4* x, real4* u);
 
