@@ -47,8 +47,9 @@ static int add_group(Groups* groups, const Contacts* contacts, int island) {
     *group = (Group){0};
     if (island != NONE) {
         const int* start = &contacts->islands.start[island];
-        group->term = groups->term + start[0];
         group->term_count = start[1] - start[0];
+        if (group->term_count > 0) // bodies that only strings join have no list of contacts
+            group->term = groups->term + start[0];
         groups->group_of_island[island] = groups->count;
     }
     return groups->count++;
