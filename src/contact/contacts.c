@@ -118,22 +118,11 @@ double contacts_safe_step(Contacts* contacts, double h) {
     return h;
 }
 
-static void clear_list(Contacts* contacts) {
+/// The rows' contacts: for an equation, those with a closed form too.
+static void gather(Contacts* contacts, double h, bool for_equation) {
     contacts->contact_count = contacts->near_count = contacts->warm.next = 0;
-}
-
-static void gather(Contacts* contacts, double h) {
-    clear_list(contacts);
     for (int r = 0; r < PAIR_ROWS; r++)
-        if (pair_table[r]->gather)
-            pair_table[r]->gather(contacts, r, h);
-}
-
-/// The rows' contacts for an equation.
-static void gather_all(Contacts* contacts, double h) {
-    clear_list(contacts);
-    for (int r = 0; r < PAIR_ROWS; r++)
-        if (pair_table[r]->gather_all)
+        if (for_equation && pair_table[r]->gather_all)
             pair_table[r]->gather_all(contacts, r, h);
         else if (pair_table[r]->gather)
             pair_table[r]->gather(contacts, r, h);
@@ -174,7 +163,7 @@ static void add_weight(Contacts* contacts, double h) {
 }
 
 static double velocities(Contacts* contacts, double h) {
-    gather(contacts, h);
+    gather(contacts, h, false);
     reaction_begin(contacts);
     solve(contacts, h);
     warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
@@ -192,7 +181,7 @@ void contacts_begin(Contacts* contacts, double h) {
     copy_balls(contacts->start, contacts->sphere, contacts->sphere_count);
     contacts->start_kicked = contacts->kicked;
     add_weight(contacts, h);
-    gather_all(contacts, h);
+    gather(contacts, h, true);
     reaction_begin(contacts);
     for (int k = 0; k < contacts->contact_count; k++)
         contact_set_bounds(&contacts->contact[k], h);
@@ -208,7 +197,7 @@ double contacts_finish(Contacts* contacts, double h) {
     reaction_add_contacts(contacts);
     warm_start_store(&contacts->warm, contacts->contact, contacts->contact_count, h);
     stop(contacts, h);
-    gather(contacts, h);
+    gather(contacts, h, false);
     for (int k = 0; k < contacts->contact_count; k++) { // the equation has applied them
         contacts->contact[k].normal_impulse = 0;
         contacts->contact[k].tangent_impulse = (real4){0, 0, 0, 0};

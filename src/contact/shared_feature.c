@@ -3,32 +3,23 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
-#include "mesh/counting_sort.h"
-
-static bool has(const int triangle[3], int point) {
-    return triangle[0] == point || triangle[1] == point || triangle[2] == point;
-}
+#include "mesh/point_corners.h"
 
 unsigned char* shared_feature_owners(const Mesh* mesh) {
     unsigned char* owners = new_array(unsigned char, mesh->triangle_count);
-    // corners sorted by their points: those of point i are from[i] … from[i + 1] - 1 of corner
-    const int corners = 3 * mesh->triangle_count;
-    int* from = new_array(int, mesh->point_count + 1);
-    int* corner = new_array(int, corners);
-    counting_sort(mesh->triangle[0], corners, mesh->point_count, from, corner);
+    PointCorners corners = point_corners_open(mesh);
     for (int t = 0; t < mesh->triangle_count; t++)
         for (int k = 0; k < 3; k++) {
             const int a = mesh->triangle[t][k], b = mesh->triangle[t][(k + 1) % 3];
-            if (corner[from[a]] / 3 == t)
+            const int* around = corners.corner + corners.from[a];
+            if (around[0] / 3 == t)
                 owners[t] |= (unsigned char)(1 << k);
-            int first = from[a];
-            while (!has(mesh->triangle[corner[first] / 3], b))
-                first++;
-            if (corner[first] / 3 == t)
+            while (!triangle_has(mesh->triangle[around[0] / 3], b))
+                around++;
+            if (around[0] / 3 == t)
                 owners[t] |= (unsigned char)(8 << k);
         }
-    free(from);
-    free(corner);
+    point_corners_close(&corners);
     return owners;
 }
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
-#include "mesh/counting_sort.h"
+#include "mesh/point_corners.h"
 #include "view/color.h"
 
 static const double crease = 0.766;                 ///< [1] cosine of 40 degrees
@@ -26,22 +26,19 @@ static void set_normal(float normal[3], double4 sum) {
 static void set_normals(PictureSkin* skin, const Thing* thing) {
     const Mesh* mesh = &thing->mesh;
     const int corners = 3 * mesh->triangle_count;
-    int* from = new_array(int, mesh->point_count + 1);
-    int* corner = new_array(int, corners);
-    counting_sort(mesh->triangle[0], corners, mesh->point_count, from, corner);
+    PointCorners around = point_corners_open(mesh);
     for (int c = 0; c < corners; c++) {
         const double4 own = area_vector(thing, c / 3);
         const int point = mesh->triangle[c / 3][c % 3];
         double4 sum = {0};
-        for (int k = from[point]; k < from[point + 1]; k++) {
-            const double4 other = area_vector(thing, corner[k] / 3);
+        for (int k = around.from[point]; k < around.from[point + 1]; k++) {
+            const double4 other = area_vector(thing, around.corner[k] / 3);
             if (ddot(own, other) >= crease * dlength(own) * dlength(other))
                 sum += other;
         }
         set_normal(skin->normal[c], sum);
     }
-    free(from);
-    free(corner);
+    point_corners_close(&around);
 }
 
 void thing_surface_open(PictureSkin* skin, const Thing* thing, const double* color) {

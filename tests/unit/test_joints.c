@@ -1,9 +1,9 @@
 /// Strings that join balloons and knots: equal and opposite forces, their energy and their tangent,
 /// both momenta, and equilibria that are the same by both methods.
 #include "base/random.h"
+#include "momenta.h"
 #include "scenes.h"
 #include "solve/group.h"
-#include "worlds.h"
 
 #define SKIN                                                                                       \
     "    skin: {springs: {structural: 50, shear: 10, flexion: 10}}\n"                              \
@@ -42,29 +42,12 @@ static void open_scene(World* world, const char* text, const char* method, const
     WORLD_OF(world, scene, method, step);
 }
 
-typedef struct Momenta {
-    double4 linear, angular;
-    double linear_size, angular_size; ///< sums of |m v| and |r x m v|
-} Momenta;
-
-static void add_momentum(Momenta* sum, double mass, real4 x, real4 v) {
-    const double4 p = mass * to_double4(v), l = dcross(to_double4(x), p);
-    sum->linear += p;
-    sum->angular += l;
-    sum->linear_size += dlength(p);
-    sum->angular_size += dlength(l);
-}
-
-static Momenta momenta_of(const World* world) {
-    Momenta sum = {0};
-    for (int b = 0; b < world->balloon_count; b++) {
-        const Body* body = &world->balloon[b].body;
-        for (int i = 0; i < body->count; i++)
-            add_momentum(&sum, (double)body->mass[i], body->x[i], body->v[i]);
-    }
+/// Of balloons and knots.
+static Momenta momenta_with_knots(const World* world) {
+    Momenta sum = momenta_of(world);
     for (int k = 0; k < world->system.joints.knot_count; k++) {
         const Sphere* point = &world->system.joints.knot[k].point;
-        add_momentum(&sum, (double)point->mass, point->x, point->v);
+        momenta_add(&sum, (double)point->mass, point->x, point->v);
     }
     return sum;
 }
@@ -76,7 +59,7 @@ static void joined_balloons_keep_their_momenta(void** state) {
     World world;
     open_scene(&world, free_scene, "method=euler", "step=0.001");
     run_for(&world, 0.4);
-    Momenta after = momenta_of(&world);
+    Momenta after = momenta_with_knots(&world);
     assert_less(0.1, after.linear_size); // they move
     assert_less(dlength(after.linear), TOLERANCE(1e-5, 1e-12) * after.linear_size);
     assert_less(dlength(after.angular), TOLERANCE(1e-5, 1e-12) * after.angular_size);
@@ -84,7 +67,7 @@ static void joined_balloons_keep_their_momenta(void** state) {
 
     open_scene(&world, free_scene, "method=newton", "step=0.01");
     run_for(&world, 0.4);
-    after = momenta_of(&world);
+    after = momenta_with_knots(&world);
     assert_less(0.1, after.linear_size);
     assert_less(dlength(after.linear), 1e-4 * after.linear_size);
     world_close(&world);

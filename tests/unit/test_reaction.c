@@ -14,26 +14,6 @@ static const char* const resting =
     "balloons:\n  - model: cube-sphere:10\n    position: [0, 0.15, 0]\n    scale: 0.15\n" SKIN
     "    inflation: {law: gas, amount: 1.01}\n    damping: {rate: 20}\n";
 
-#define OPEN_TEXT(world, text, ...)                                                                \
-    open_text((world), (text), (const char* const[]){__VA_ARGS__, NULL})
-static void open_text(World* world, const char* text, const char* const* set) {
-    char path[64];
-    snprintf(path, sizeof path, "/tmp/balloon-reaction-%ld.yaml", (long)getpid());
-    FILE* out = fopen(path, "w");
-    assert_non_null(out);
-    assert_true(fputs(text, out) >= 0 && fclose(out) == 0);
-    world_of(world, path, set);
-    remove(path);
-}
-
-static double weight(const World* world) {
-    const Body* body = &world->balloon[0].body;
-    double mass = 0;
-    for (int i = 0; i < body->count; i++)
-        mass += (double)body->mass[i];
-    return mass * body->gravity;
-}
-
 /// Bounds on the area on which the floor acts: that of particles whose triangles all lie on it, a
 /// third of each triangle, and that of all triangles that touch it [m^2].
 static void touching_areas(const World* world, double* inner, double* outer) {
@@ -66,10 +46,10 @@ static void balloon_at_rest_presses_with_its_weight(void** state) {
     World world;
     OPEN_TEXT(&world, resting, "sleep_threshold=0.01");
     run_for(&world, 1);
-    assert_close(probe(&world, "floor.force"), weight(&world), 1e-3);
+    assert_close(probe(&world, "floor.force"), balloon_weight(&world), 1e-3);
     run_for(&world, 1);
     assert_true(world.balloon[0].body.asleep);
-    assert_close(probe(&world, "floor.force"), weight(&world), 1e-3);
+    assert_close(probe(&world, "floor.force"), balloon_weight(&world), 1e-3);
     world_close(&world);
 }
 
@@ -106,7 +86,7 @@ static void ball_feels_the_floor(void** state) {
     assert_near(probe(&world, "sphere0.fx"), 0, 1e-5);
     assert_near(probe(&world, "sphere1.fy"), 0, 0);
     run_for(&world, 0.95);
-    assert_close(probe(&world, "floor.force"), ball + weight(&world), 1e-3);
+    assert_close(probe(&world, "floor.force"), ball + balloon_weight(&world), 1e-3);
     world_close(&world);
 }
 
@@ -143,7 +123,7 @@ static void balloon_below_the_floor_comes_out_gently(void** state) {
     (void)state;
     World world;
     OPEN_TEXT(&world, resting, "balloons.0.position=[0, 0, 0]");
-    const double mass = weight(&world) / world.balloon[0].body.gravity;
+    const double mass = balloon_weight(&world) / world.balloon[0].body.gravity;
     double fastest = 0, highest = -INFINITY;
     for (int n = 0; n < 2000; n++) {
         world_step(&world);

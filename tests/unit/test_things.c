@@ -10,32 +10,6 @@
     "    damping: {rate: 20}\n"
 #define BOX "things: [{model: box, size: [0.6, 0.2, 0.6], position: [0, -0.1, 0]}]\n"
 
-/// The path of a file with this text, which the caller removes.
-static const char* file_of(const char* text, const char* extension) {
-    static char path[64];
-    snprintf(path, sizeof path, "/tmp/balloon-things-%ld%s", (long)getpid(), extension);
-    FILE* out = fopen(path, "w");
-    assert_non_null(out);
-    assert_true(fputs(text, out) >= 0 && fclose(out) == 0);
-    return path;
-}
-
-/// OPEN_TEXT(&world, text, "step=0.001", …): the overrides may be none.
-#define OPEN_TEXT(world, ...) open_text((world), (const char* const[]){__VA_ARGS__, NULL})
-static void open_text(World* world, const char* const* words) {
-    const char* path = file_of(words[0], ".yaml");
-    world_of(world, path, words + 1);
-    remove(path);
-}
-
-static double weight(const World* world) {
-    const Body* body = &world->balloon[0].body;
-    double mass = 0;
-    for (int i = 0; i < body->count; i++)
-        mass += (double)body->mass[i];
-    return mass * body->gravity;
-}
-
 static int crossings_with_things(const World* world) {
     int count = 0;
     for (int b = 0; b < world->balloon_count; b++)
@@ -51,11 +25,11 @@ static void balloon_at_rest_presses_with_its_weight(void** state) {
     World world;
     OPEN_TEXT(&world, "step: 1e-3\nsleep_threshold: 0.01\n" BOX BALLOON("0.105"));
     run_for(&world, 2);
-    assert_close(probe(&world, "thing0.fy"), -weight(&world), 1e-3);
-    assert_near(probe(&world, "thing0.fx"), 0, 1e-3 * weight(&world));
+    assert_close(probe(&world, "thing0.fy"), -balloon_weight(&world), 1e-3);
+    assert_near(probe(&world, "thing0.fx"), 0, 1e-3 * balloon_weight(&world));
     run_for(&world, 1);
     assert_true(world.balloon[0].body.asleep);
-    assert_close(probe(&world, "thing0.fy"), -weight(&world), 1e-3);
+    assert_close(probe(&world, "thing0.fy"), -balloon_weight(&world), 1e-3);
     const double height = probe(&world, "balloon0.cy");
     assert_near(probe(&world, "crossings"), 0, 0);
     const double gap = world.contacts.skin_pairs.skin[0].rest_gap / 2;
@@ -166,7 +140,7 @@ static void a_thing_that_begins_to_move_wakes_what_lies_on_it(void** state) {
     run_for(&world, 2);
     assert_true(world.balloon[0].body.asleep);
     assert_near(probe(&world, "balloon0.cy") - before, 0.1, 1e-3);
-    assert_close(probe(&world, "thing0.fy"), -weight(&world), 2e-3);
+    assert_close(probe(&world, "thing0.fy"), -balloon_weight(&world), 2e-3);
     assert_int_equal(crossings_with_things(&world), 0);
     world_close(&world);
 }

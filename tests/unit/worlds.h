@@ -29,6 +29,34 @@ static inline void world_of_list(World* world, const char* const* words) {
     world_of(world, words[0], words + 1);
 }
 
+/// The path of a file of this text, which the caller removes.
+static inline const char* file_of(const char* text, const char* extension) {
+    static char path[64];
+    snprintf(path, sizeof path, "/tmp/balloon-world-%ld%s", (long)getpid(), extension);
+    FILE* out = fopen(path, "w");
+    assert_non_null(out);
+    assert_true(fputs(text, out) >= 0 && fclose(out) == 0);
+    return path;
+}
+
+/// OPEN_TEXT(&world, text, "step=0.001", …): a scene of this text; the overrides may be none.
+#define OPEN_TEXT(world, ...) open_text((world), (const char* const[]){__VA_ARGS__, NULL})
+
+static inline void open_text(World* world, const char* const* words) {
+    const char* path = file_of(words[0], ".yaml");
+    world_of(world, path, words + 1);
+    remove(path);
+}
+
+/// Of the first balloon [N].
+static inline double balloon_weight(const World* world) {
+    const Body* body = &world->balloon[0].body;
+    double mass = 0;
+    for (int i = 0; i < body->count; i++)
+        mass += (double)body->mass[i];
+    return mass * body->gravity;
+}
+
 static inline void run_for(World* world, double seconds) {
     const long until = world->clock + lround(seconds / world->step);
     while (world->clock < until)

@@ -7,10 +7,7 @@
 #include "base/memory.h"
 #include "contact/contacts.h"
 #include "contact/skins/feature_pair.h"
-
-bool crossing_shares(const int a[3], int point) {
-    return a[0] == point || a[1] == point || a[2] == point;
-}
+#include "mesh/point_corners.h"
 
 static void corners_of(const Body* body, int triangle, double4 corner[3]) {
     for (int k = 0; k < 3; k++)
@@ -25,8 +22,7 @@ static bool edge_pierces(const Body* first, int t, const Body* second, int u) {
     corners_of(second, u, corner[1]);
     for (int k = 0; k < 3; k++) {
         const int next = (k + 1) % 3;
-        const bool shared =
-            first == second && (crossing_shares(b, a[k]) || crossing_shares(b, a[next]));
+        const bool shared = first == second && (triangle_has(b, a[k]) || triangle_has(b, a[next]));
         if (!shared && feature_pierces(corner[0][k], corner[0][next], corner[1]))
             return true;
     }

@@ -6,9 +6,6 @@
 
 #include "body/body.h"
 
-/// Whether a triangle has the point as a corner.
-bool crossing_shares(const int triangle[3], int point);
-
 /// Whether triangle t of one skin and u of another, or of the same, cross: an edge of one that has
 /// no corner of the other pierces that. Signs of volumes in double; not where one is within rounding
 /// of 0.

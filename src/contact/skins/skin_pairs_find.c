@@ -4,6 +4,7 @@
 #include "base/array.h"
 #include "contact/contacts.h"
 #include "contact/skins/crossings.h"
+#include "mesh/point_corners.h"
 
 static const double local_share = 0.5; ///< [rest distances] rest gap of two of one skin
 
@@ -86,7 +87,7 @@ static void add_vertices(Search* search, int a, int t, int b, int u) {
     const ContactSkin* skin = search->contacts->skin;
     const int *vertex = skin[a].body->mesh->triangle[t], *corner = skin[b].body->mesh->triangle[u];
     for (int k = 0; k < 3; k++)
-        if ((skin[a].owners[t] >> k & 1) && !(a == b && crossing_shares(corner, vertex[k])))
+        if ((skin[a].owners[t] >> k & 1) && !(a == b && triangle_has(corner, vertex[k])))
             add(search, &(FeaturePair){.kind = VERTEX_TRIANGLE,
                                        .skin = {a, b},
                                        .node = {vertex[k], corner[0], corner[1], corner[2]},

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "mesh/counting_sort.h"
+#include "mesh/point_corners.h"
 
 static const double return_rate = 10; ///< [1/s] at most, to the path
 
@@ -20,29 +20,21 @@ static int opposite_point(const int triangle[3], int a, int b) {
     return triangle[k];
 }
 
-static bool has(const int triangle[3], int point) {
-    return triangle[0] == point || triangle[1] == point || triangle[2] == point;
-}
-
 /// The points opposite of all sides, from the triangles around each point.
 static void find_across(Thing* thing) {
     const Mesh* mesh = &thing->mesh;
-    const int corners = 3 * mesh->triangle_count;
-    int* from = new_array(int, mesh->point_count + 1);
-    int* corner = new_array(int, corners);
-    counting_sort(mesh->triangle[0], corners, mesh->point_count, from, corner);
+    PointCorners corners = point_corners_open(mesh);
     for (int t = 0; t < mesh->triangle_count; t++)
         for (int k = 0; k < 3; k++) {
             const int a = mesh->triangle[t][k], b = mesh->triangle[t][(k + 1) % 3];
             thing->across[t][k] = NONE;
-            for (int c = from[a]; c < from[a + 1]; c++) {
-                const int* other = mesh->triangle[corner[c] / 3];
-                if (corner[c] / 3 != t && has(other, b))
-                    thing->across[t][k] = opposite_point(other, a, b);
+            for (int c = corners.from[a]; c < corners.from[a + 1]; c++) {
+                const int other = corners.corner[c] / 3;
+                if (other != t && triangle_has(mesh->triangle[other], b))
+                    thing->across[t][k] = opposite_point(mesh->triangle[other], a, b);
             }
         }
-    free(from);
-    free(corner);
+    point_corners_close(&corners);
 }
 
 void thing_make(Thing* thing, const Mesh* mesh, real friction, const PathPoint* path,
