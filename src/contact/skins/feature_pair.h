@@ -28,6 +28,11 @@ typedef struct FeaturePair {
     double weight[FEATURE_NODES]; ///< nearest points: sum_k weight_k x_k is normal times distance
 } FeaturePair;
 
+/// The skin of node k.
+static inline int feature_pair_skin(const FeaturePair* pair, int k) {
+    return pair->skin[k >= (int)pair->kind];
+}
+
 /// Distance of the two features, and the weights of their nearest points: those of the first side sum
 /// to 1, those of the second to -1. x: positions of the nodes.
 double feature_distance(FeatureKind kind, const double4 x[FEATURE_NODES],

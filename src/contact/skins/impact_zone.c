@@ -41,7 +41,7 @@ static void close_zones(Zones* zones) {
 }
 
 static int number_of(const Zones* zones, const FeaturePair* pair, int k) {
-    return zones->from[pair->skin[k >= (int)pair->kind]] + pair->node[k];
+    return zones->from[feature_pair_skin(pair, k)] + pair->node[k];
 }
 
 /// A search for pairs that would cross.

@@ -54,7 +54,7 @@ static bool stands_for_itself(const Contacts* contacts, const FeaturePair* pair)
 static double closing_speed(const Contacts* contacts, const FeaturePair* pair) {
     double first = INFINITY, second = -INFINITY;
     for (int k = 0; k < FEATURE_NODES; k++) {
-        const Body* body = contacts->skin[pair->skin[k >= (int)pair->kind]].body;
+        const Body* body = contacts->skin[feature_pair_skin(pair, k)].body;
         const double along = ddot(pair->normal, to_double4(body->v[pair->node[k]]));
         if (k < (int)pair->kind)
             first = fmin(first, along);
@@ -65,7 +65,7 @@ static double closing_speed(const Contacts* contacts, const FeaturePair* pair) {
 }
 
 static void set_node(Contacts* contacts, Contact* contact, const FeaturePair* pair, int k) {
-    Body* body = contacts->skin[pair->skin[k >= (int)pair->kind]].body;
+    Body* body = contacts->skin[feature_pair_skin(pair, k)].body;
     const int i = pair->node[k];
     const real weight = (real)pair->weight[k];
     const bool held = body->inverse_mass[i] <= 0;

@@ -43,7 +43,7 @@ static double rest_distance(const Body* body, const FeaturePair* pair) {
 /// Positions of the nodes, as they are stored.
 static void positions(const Contacts* contacts, const FeaturePair* pair, real4 x[FEATURE_NODES]) {
     for (int k = 0; k < FEATURE_NODES; k++)
-        x[k] = contacts->skin[pair->skin[k >= (int)pair->kind]].body->x[pair->node[k]];
+        x[k] = contacts->skin[feature_pair_skin(pair, k)].body->x[pair->node[k]];
 }
 
 /// Whether the boxes of the two sides are farther apart than the reach along an axis.

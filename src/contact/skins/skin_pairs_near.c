@@ -8,7 +8,7 @@ static void measure(const Contacts* contacts, PairList* list, int k) {
     FeaturePair* pair = &list->pair[k];
     double4 x[FEATURE_NODES], away = {0};
     for (int n = 0; n < FEATURE_NODES; n++)
-        x[n] = to_double4(contacts->skin[pair->skin[n >= (int)pair->kind]].body->x[pair->node[n]]);
+        x[n] = to_double4(contacts->skin[feature_pair_skin(pair, n)].body->x[pair->node[n]]);
     pair->distance = feature_distance(pair->kind, x, pair->weight);
     for (int n = 1; n < FEATURE_NODES; n++) // the weights sum to 0
         away += pair->weight[n] * (x[n] - x[0]);
@@ -42,7 +42,7 @@ void skin_pairs_each_near(Contacts* contacts, double h, double share, PairVisit*
 double skin_pairs_safe_part(const Contacts* contacts, const FeaturePair* pair, double h) {
     double4 x[FEATURE_NODES], dx[FEATURE_NODES], end[FEATURE_NODES];
     for (int k = 0; k < FEATURE_NODES; k++) {
-        const Body* body = contacts->skin[pair->skin[k >= (int)pair->kind]].body;
+        const Body* body = contacts->skin[feature_pair_skin(pair, k)].body;
         const real4 at = body->x[pair->node[k]];
         end[k] = to_double4(body->asleep ? at : at + (real)h * body->v[pair->node[k]]);
         x[k] = to_double4(at);

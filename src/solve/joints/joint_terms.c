@@ -132,11 +132,7 @@ void joint_terms_multiply(Group* group) {
 
 double joint_terms_potential(const Group* group, double h) {
     double sum = 0;
-    for (int k = 0; k < group->joint_count; k++) {
-        const Joint* joint = group->joint[k].joint;
-        const double tension = (double)length(joint_force(group->joints, joint, h));
-        if (tension > 0)
-            sum += tension * tension / (2 * (double)joint->stiffness);
-    }
+    for (int k = 0; k < group->joint_count; k++)
+        sum += joint_energy(group->joints, group->joint[k].joint, h);
     return sum;
 }

@@ -93,13 +93,15 @@ double joint_tension(const Joints* joints, const Joint* joint) {
     return (double)length(joint_force(joints, joint, 0));
 }
 
+double joint_energy(const Joints* joints, const Joint* joint, double h) {
+    const double tension = (double)length(joint_force(joints, joint, h));
+    return tension > 0 ? tension * tension / (2 * (double)joint->stiffness) : 0;
+}
+
 double joints_energy(const Joints* joints) {
     double sum = 0;
-    for (int k = 0; k < joints->count; k++) {
-        const double tension = joint_tension(joints, &joints->joint[k]);
-        if (tension > 0)
-            sum += tension * tension / (2 * (double)joints->joint[k].stiffness);
-    }
+    for (int k = 0; k < joints->count; k++)
+        sum += joint_energy(joints, &joints->joint[k], 0);
     return sum;
 }
 

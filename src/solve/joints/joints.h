@@ -80,6 +80,9 @@ real4 joint_force(const Joints* joints, const Joint* joint, double h);
 /// Tension at the present positions [N].
 double joint_tension(const Joints* joints, const Joint* joint);
 
+/// E of a joint after a drift of length h of its knot [J].
+double joint_energy(const Joints* joints, const Joint* joint, double h);
+
 /// Energy of all joints at the present positions [J].
 double joints_energy(const Joints* joints);
 

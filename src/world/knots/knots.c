@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "base/table.h"
+#include "world/things/path_points.h"
 
 static bool has_joints(const WorldDef* def) {
     for (unsigned b = 0; b < def->balloons_count; b++)
@@ -39,23 +40,18 @@ static bool check_particles(const World* world, Fault* fault) {
 
 bool knots_open(World* world, Fault* fault) {
     const WorldDef* def = &world->def;
-    char names[128];
-    methods_that_join(names, sizeof names);
-    if (has_joints(def) && !world->method->joins)
+    if (has_joints(def) && !world->method->joins) {
+        char names[128];
+        methods_that_join(names, sizeof names);
         return fault_set(fault, def->file,
                          "method '%s' takes no string to a balloon or a knot; take %s",
                          world->method->name, names);
+    }
     if (!check_particles(world, fault))
         return false;
     world->knot_path = new_array(PathPoint*, def->knots_count);
-    for (unsigned k = 0; k < def->knots_count; k++) {
-        const KnotDef* knot = &def->knots[k];
-        world->knot_path[k] = new_array(PathPoint, knot->path_count);
-        for (unsigned p = 0; p < knot->path_count; p++) {
-            const double* to = knot->path[p].position;
-            world->knot_path[k][p] = (PathPoint){knot->path[p].at, {to[0], to[1], to[2], 0}};
-        }
-    }
+    for (unsigned k = 0; k < def->knots_count; k++)
+        world->knot_path[k] = path_points(def->knots[k].path, def->knots[k].path_count);
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include "contact/skins/crossings.h"
 #include "mesh/load.h"
 #include "world/balloon_check.h"
+#include "world/things/path_points.h"
 
 /// Bounding box of a mesh: its middle, and its sides.
 static void box_of(const Mesh* mesh, double4* middle, double4* side) {
@@ -80,11 +81,7 @@ static bool open_thing(World* world, unsigned number, Fault* fault) {
         !mesh_load(path, &mesh, &report, fault))
         return false;
     place(def, &mesh);
-    PathPoint* point = new_array(PathPoint, def->path_count);
-    for (unsigned k = 0; k < def->path_count; k++) {
-        const double* to = def->path[k].position;
-        point[k] = (PathPoint){def->path[k].at, {to[0], to[1], to[2], 0}};
-    }
+    PathPoint* point = path_points(def->path, def->path_count);
     Thing* thing = &world->thing[number];
     thing_make(thing, &mesh, (real)def->friction, point, (int)def->path_count);
     world->thing_count++;
