@@ -16,7 +16,7 @@ declare -A may=(
     [solve]="base mesh body force constraint contact solve/multigrid solve/joints solve/batch solve"
     [solve/batch]="base mesh body solve/batch"
     [solve/joints]="base mesh body contact contact/things solve solve/joints"
-    [scene]="base mesh body force solve contact scene"
+    [scene]="base mesh body force solve contact scene" [scene/keys]="base force solve scene"
     [world]="base mesh body force solve constraint contact contact/skins scene world world/things world/knots"
     [world/things]="base mesh contact contact/skins contact/things scene world world/things"
     [world/knots]="base scene world world/things world/knots"

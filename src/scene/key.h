@@ -48,7 +48,7 @@ struct Key {
 };
 
 /// The keys of one mapping, and the struct that they fill: rows of its own, then rows made from
-/// another table (keys_table.c), or parameters.
+/// another table (scene/keys/keys_table.c), or parameters.
 struct KeyGroup {
     const Key* key; ///< [count]
     int count;

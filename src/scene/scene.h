@@ -1,6 +1,6 @@
 /// A scene file as plain data: YAML, y up, SI units or the mass-spring paper's own.
 ///
-/// The structs below are the scene format: one field, one key, one row of keys.c or keys_balloon.c.
+/// The structs below are the scene format: one field, one key, one row of scene/keys/.
 /// A scene names only what it needs. A part without a key is neither computed nor stored: its field
 /// is a NULL pointer, an empty list, or the row's default, 0 unless a field states another.
 /// Where 0 is a meaningful value, the field is a pointer, and NULL means that the key is absent.
