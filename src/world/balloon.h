@@ -20,6 +20,8 @@ typedef struct Balloon {
     float color[3];       ///< sRGB 0…1
     double scene_amount;  ///< amount of gas that the scene sets
     double added_amount;  ///< amount that keys, pipes and leaks have added
+    double amount_before; ///< amount at the start of this step
+    double amount_after;  ///< amount at its end
     double rate;          ///< change of the amount while a key is held [1/s]
     double min_amount;    ///< lower limit of the keys
     double max_amount;    ///< upper limit of the keys

@@ -78,11 +78,15 @@ static double gas_stored(const Body* body) {
 }
 
 /// Kinetic energy at the time of the positions: of v + (h/2) f/m where v is staggered by h/2, which
-/// takes the oscillation of a symplectic method's energy out but for its second order.
-static double kinetic_at_positions(const World* world, Body* body) {
+/// takes the oscillation of a symplectic method's energy out but for its second order. f is that of
+/// the amount of gas at that time.
+static double kinetic_at_positions(const World* world, Body* body, double amount) {
     if (!world->method->staggered || body->asleep)
         return vectors()->weighted_squares(body->mass, body->v, body->count) / 2;
+    const double now = body->inflation.amount;
+    body->inflation.amount = amount;
     force_sum(body);
+    body->inflation.amount = now;
     joints_add_forces(&world->system.joints, body);
     const real half = (real)(world->kicked / 2);
     double sum = 0;
@@ -93,7 +97,9 @@ static double kinetic_at_positions(const World* world, Body* body) {
     return sum / 2;
 }
 
-static void add_balloon(const World* world, Body* body, Energies* sum) {
+/// A balloon with its present gas, or that of the start of the step.
+static void add_balloon(const World* world, Balloon* balloon, bool before, Energies* sum) {
+    Body* body = &balloon->body;
     for (int k = 0; k < force_count; k++) {
         const Force* force = force_table[k];
         if (!force->energy || force == &force_inflation || !force->present(body))
@@ -106,7 +112,8 @@ static void add_balloon(const World* world, Body* body, Energies* sum) {
     double mass = 0;
     for (int i = 0; i < body->count; i++)
         mass += (double)body->mass[i];
-    sum->kinetic += kinetic_at_positions(world, body);
+    sum->kinetic +=
+        kinetic_at_positions(world, body, before ? balloon->amount_before : body->inflation.amount);
     sum->stored += gas_stored(body) + mass * floor * floor / 2;
 }
 
@@ -139,25 +146,28 @@ static void swap_states(World* world) {
     joints_swap(&world->system.joints);
 }
 
-static Energies measure(World* world, const Sphere* ball, int balls) {
+static Energies measure(World* world, const Sphere* ball, int balls, bool before) {
     Energies sum = {0};
     for (int b = 0; b < world->balloon_count; b++)
-        add_balloon(world, &world->balloon[b].body, &sum);
+        add_balloon(world, &world->balloon[b], before, &sum);
     add_balls(world, ball, balls, &sum);
     add_joints(world, &sum);
     sum.stored += sum.kinetic;
     return sum;
 }
 
-/// Pressure at volumes and areas between those of two states, at a share of the way.
+/// Pressure at the mean of two volumes and two amounts, of a gas; else p.
 static double pressure_between(const Inflation* inflation, double p, const double volume[2],
-                               double share) {
-    return inflation->law == INFLATE_GAS
-               ? gas_pressure(inflation, volume[0] + share * (volume[1] - volume[0]))
-               : p;
+                               double amount_before) {
+    if (inflation->law != INFLATE_GAS)
+        return p;
+    Inflation gas = *inflation;
+    gas.amount = (gas.amount + amount_before) / 2;
+    return gas_pressure(&gas, (volume[0] + volume[1]) / 2);
 }
 
-/// Work of the pressure over the step [J], from the saved state to the present one.
+/// Work of the pressure over the step [J], from the saved state to the present one, while the
+/// amounts of gas change evenly.
 static double pressure_work(World* world) {
     double sum = 0;
     for (int b = 0; b < world->balloon_count; b++) {
@@ -170,8 +180,10 @@ static double pressure_work(World* world) {
         const double after = inflation_pressure(body);
         Body before = *body;
         before.x = balloon->good_x;
+        before.inflation.amount = balloon->amount_before;
         const double first = inflation_pressure(&before), mean = (first + after) / 2;
-        const double middle = pressure_between(&body->inflation, mean, volume, 0.5);
+        const double middle =
+            pressure_between(&body->inflation, mean, volume, balloon->amount_before);
         sum += (first + 4 * middle + after) / 6 * (volume[1] - volume[0]);
     }
     return sum;
@@ -186,9 +198,9 @@ typedef struct Balance {
 static Balance measure_balance(World* world) {
     Contacts* contacts = &world->contacts;
     swap_states(world);
-    const Energies before = measure(world, contacts->good, contacts->good_count);
+    const Energies before = measure(world, contacts->good, contacts->good_count, true);
     swap_states(world);
-    const Energies after = measure(world, contacts->sphere, contacts->sphere_count);
+    const Energies after = measure(world, contacts->sphere, contacts->sphere_count, false);
     world->watch.kinetic_max = (1 + gain_max) * after.stored;
     world->watch.since_measure = 0;
     const double forces = after.forces - before.forces;

@@ -1,13 +1,13 @@
 /// The energy watch, the guard's second line: a step may not gain energy.
 ///
 ///     gain   = K' - K + sum of (E' - E) over forces with an energy - work                    [J]
-///     work   = integral of p dV over the step, Simpson's rule, the amount of gas fixed, and
-///              what contacts give to undo rigid overlaps                                     [J]
+///     work   = integral of p dV over the step, Simpson's rule, of gas that enters evenly,
+///              and what contacts give to undo rigid overlaps                                     [J]
 ///     stored = K + elastic energy + p^2 V / (2 ambient), the gas's energy above the air's    [J]
 ///     turnover = stored before + |sum of (E' - E)| + |work|                                  [J]
 ///
 /// over all balloons and balls, K kinetic, at the time of the positions (method.h, `staggered`).
-/// What hands, valves and pipes do is done before the step and is not in it; contacts, drag and
+/// The energy of gas that hands, valves and pipes move is not in it; contacts, drag and
 /// friction only take energy. A step whose state is bad
 /// (blowup.h), or with
 ///

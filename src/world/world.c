@@ -10,8 +10,7 @@
 #include "base/memory.h"
 #include "contact/reaction.h"
 #include "contact/skins/crossings.h"
-#include "force/inflation.h"
-#include "world/command.h"
+#include "world/gas_flow.h"
 #include "world/knots/knots.h"
 #include "world/rest.h"
 #include "world/things/balls.h"
@@ -110,40 +109,6 @@ void world_reset(World* world) {
     for (int b = 0; b < world->balloon_count; b++)
         balloon_reset(&world->balloon[b], &world->def);
     begin(world);
-}
-
-/// Set the amounts of gas at the end of this step: the scene's filling and the held keys.
-static void update_amounts(World* world) {
-    for (int b = 0; b < world->balloon_count; b++)
-        balloon_fill(&world->balloon[b], (double)(world->step_count + 1) * world->step);
-    for (int k = 0; k < command_count; k++)
-        if (command_table[k].hold && (world->held >> k & 1))
-            command_table[k].hold(world, world->step);
-}
-
-/// Move gas through pipes, from one balloon to the other, and through leaks, out of balloons.
-static void flow_gas(World* world, double h) {
-    for (unsigned k = 0; k < world->def.pipes_count; k++) {
-        const PipeDef* pipe = &world->def.pipes[k];
-        if (world_time(world) < pipe->start)
-            continue;
-        Balloon* end[2] = {&world->balloon[(int)pipe->from], &world->balloon[(int)pipe->to]};
-        const double energy =
-            pipe->conductance * h *
-            (inflation_pressure(&end[0]->body) - inflation_pressure(&end[1]->body));
-        for (int e = 0; e < 2; e++) {
-            Inflation* gas = &end[e]->body.inflation;
-            const double change =
-                (e ? 1 : -1) * energy / (gas->unit * gas->temperature * gas->first_volume);
-            end[e]->added_amount += change;
-            gas->amount += change;
-        }
-    }
-    for (int b = 0; b < world->balloon_count; b++) {
-        const InflationDef* inflation = world->balloon[b].def->inflation;
-        if (inflation && inflation->leak > 0)
-            balloon_leak(&world->balloon[b], h);
-    }
 }
 
 static void notice_factored(World* world, double h) {
@@ -269,6 +234,7 @@ static void make_substeps(World* world) {
     int parts = guard->substeps, remaining = parts;
     double h = world->step / parts;
     while (remaining > 0 && !is_over(world)) {
+        gas_flow_reach(world, remaining > 1 ? 1 - (remaining - 1) * h / world->step : 1);
         advance(world, h);
         guard->since_look++;
         remaining--;
@@ -291,7 +257,7 @@ void world_step(World* world) {
     world->clock++;
     if (world->blowup.halted)
         return;
-    update_amounts(world);
+    gas_flow_fill(world);
 
     // compare the step with the stability bound, which changes with the state
     if (guard_due(&world->guard, world->step_count) || world->contacts.woke)
@@ -299,7 +265,7 @@ void world_step(World* world) {
     if (world->blowup.halted)
         return;
 
-    flow_gas(world, world->step);
+    gas_flow_through(world);
     rest_wake_changed(world);
     energy_watch_start(world);
     world->corrected = guard_bound_corrected(&world->guard, world->method, &world->system);
