@@ -2,7 +2,7 @@
 ///
 ///   * a bug                         ASSERT, which prints the condition and a sentence and aborts
 ///   * a bad file, argument, display a Fault: the function returns false, main prints it once
-///   * a state that blows up         found at its step (world/blowup.h)
+///   * a state that blows up         found at its step (world/guard/blowup.h)
 #ifndef BALLOON_BASE_FAULT_H
 #define BALLOON_BASE_FAULT_H
 

@@ -27,7 +27,7 @@
 #include "scene/pool.h"
 #include "solve/method.h"
 
-/// What to do with a step above the stability bound (world/guard.h).
+/// What to do with a step above the stability bound (world/guard/guard.h).
 typedef enum Guard { GUARD_SPLIT, GUARD_STOP, GUARD_OFF, GUARD_COUNT } Guard;
 extern const char* const guard_name[GUARD_COUNT];
 

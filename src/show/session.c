@@ -55,7 +55,9 @@ bool session_close(Session* session, Fault* fault) {
 bool session_open(Session* session, World* world, const char* input, const char* record,
                   Fault* fault) {
     *session = (Session){.world = world, .record = record};
-    if ((!input || record_load(input, &session->replay, fault)) && begin_log(session, fault))
+    if ((!input || (record_load(input, &session->replay, fault) &&
+                    record_check(&session->replay, input, world, fault))) &&
+        begin_log(session, fault))
         return true;
     session_close(session, fault);
     return false;

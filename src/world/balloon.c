@@ -9,7 +9,7 @@
 #include "force/material.h"
 #include "mesh/load.h"
 #include "world/balloon_check.h"
-#include "world/guard.h"
+#include "world/guard/guard.h"
 
 static const double vent_pressure = 1000; ///< [Pa] gauge pressure at which a valve vents at `rate`
 static const double default_threshold = 0.1; ///< [1] the mass-spring paper's

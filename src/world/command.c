@@ -169,43 +169,70 @@ void command_reference(FILE* out) {
                     force_table[k]->parameters[p].name);
 }
 
-/// "gravity", "balloons.2.damping.rate", or "damping.rate" for all balloons.
-static bool set(World* world, const Event* event, Fault* fault) {
+/// A number that an event sets, as the words of its line name it.
+typedef struct Target {
+    const WorldSetting* world; ///< NULL: of balloons
+    Setting setting;
+    int first, end; ///< balloons
+    double value;
+} Target;
+
+static bool read_value(const Event* event, double* value, Fault* fault) {
     char* end;
-    const double value = strtod(event->value, &end);
-    if (end == event->value || *end || !isfinite(value))
+    *value = strtod(event->value, &end);
+    if (end == event->value || *end || !isfinite(*value))
         return fault_set(fault, event->name, "'%s' is not a number", event->value);
-    if (!real_holds(value))
-        return fault_set(fault, event->name, "%s is out of range in a state of " REAL_NAME,
-                         event->value);
+    return real_holds(*value) ||
+           fault_set(fault, event->name, "%s is out of range in a state of " REAL_NAME,
+                     event->value);
+}
 
-    for (size_t k = 0; k < sizeof world_setting_table / sizeof *world_setting_table; k++)
-        if (strcmp(world_setting_table[k].key, event->name) == 0) {
-            world_setting_table[k].set(world, value);
-            world->guard.changed = true;
-            return true;
-        }
-
-    int from = 0, to = world->balloon_count, used = 0;
-    if (sscanf(event->name, "balloons.%d.%n", &from, &used) == 1 && used > 0) {
-        if (from < 0 || from >= world->balloon_count)
+/// "balloons.2.damping.rate", or "damping.rate" for all balloons.
+static bool find_of_balloons(const World* world, const Event* event, Target* target, Fault* fault) {
+    int used = 0;
+    *target = (Target){.end = world->balloon_count, .value = target->value};
+    if (sscanf(event->name, "balloons.%d.%n", &target->first, &used) == 1 && used > 0) {
+        if (target->first < 0 || target->first >= world->balloon_count)
             return fault_set(fault, event->name, "there are balloons 0 to %d",
                              world->balloon_count - 1);
-        to = from + 1;
+        target->end = target->first + 1;
     }
-    Setting setting;
-    if (!setting_find(event->name + used, &setting))
+    if (!setting_find(event->name + used, &target->setting))
         return fault_set(fault, event->name, "cannot be set while a scene runs");
-    if (!is_allowed(setting, value, event, fault))
+    if (!is_allowed(target->setting, target->value, event, fault))
         return false;
-    for (int b = from; b < to; b++) {
-        double* number = setting_of(&world->balloon[b], setting);
-        if (!number)
+    for (int b = target->first; b < target->end; b++)
+        if (!setting_of(&world->balloon[b], target->setting))
             return fault_set(fault, event->name, "balloon %d has none", b);
-        *number = value;
-    }
+    return true;
+}
+
+static bool find_target(const World* world, const Event* event, Target* target, Fault* fault) {
+    if (!read_value(event, &target->value, fault))
+        return false;
+    for (size_t k = 0; k < sizeof world_setting_table / sizeof *world_setting_table; k++)
+        if (strcmp(world_setting_table[k].key, event->name) == 0) {
+            target->world = &world_setting_table[k];
+            return true;
+        }
+    return find_of_balloons(world, event, target, fault);
+}
+
+static bool set(World* world, const Event* event, Fault* fault) {
+    Target target;
+    if (!find_target(world, event, &target, fault))
+        return false;
+    if (target.world)
+        target.world->set(world, target.value);
+    for (int b = target.first; !target.world && b < target.end; b++)
+        *setting_of(&world->balloon[b], target.setting) = target.value;
     world->guard.changed = true;
     return true;
+}
+
+bool world_event_check(const World* world, const Event* event, Fault* fault) {
+    Target target;
+    return event->kind != EVENT_SET || find_target(world, event, &target, fault);
 }
 
 static const double thrown_restitution = 0.5; ///< [1] of balls that the user throws

@@ -10,6 +10,7 @@
 #include "base/table.h"
 #include "base/memory.h"
 #include "world/command.h"
+#include "world/world.h"
 
 enum {
     VERSION = 1,          ///< of the log's format
@@ -49,7 +50,7 @@ static bool validate_key(const Event* event, const Line* line) {
 static bool validate_set(const Event* event, const Line* line) {
     (void)event;
     (void)line;
-    return true; // world_event checks what may be set while a world runs
+    return true; // world_event_check knows what may be set while a world runs
 }
 
 static bool validate_throw(const Event* event, const Line* line) {
@@ -108,7 +109,7 @@ static int find_kind(const char* word, size_t length) {
 
 // One line without its end: STEP KIND NAME VALUE, single spaces between them.
 static bool read_event(const char* text, Event* event, const Line* line) {
-    *event = (Event){0};
+    *event = (Event){.line = line->number};
     const size_t digits = strspn(text, "0123456789");
     if (digits == 0 || digits > STEP_DIGITS || text[digits] != ' ')
         return fault_at(line->fault, line->file, line->number,
@@ -190,6 +191,16 @@ bool record_load(const char* file, Record* record, Fault* fault) {
     if (!good)
         record_free(record);
     return good;
+}
+
+bool record_check(const Record* record, const char* file, const World* world, Fault* fault) {
+    for (int k = 0; k < record->count; k++) {
+        Fault found = {0};
+        if (!world_event_check(world, &record->event[k], &found))
+            return fault_at(fault, file, record->event[k].line, "%s: %s", found.location,
+                            found.text);
+    }
+    return true;
 }
 
 void record_reference(FILE* out) {

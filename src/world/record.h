@@ -30,7 +30,10 @@ typedef struct Event {
     char name[64];  ///< key: a row of the command table (world/command.h); set: the scene's key
     char value[64]; ///< key: "down" or "up"; set: the value
     double thrown[THROW_NUMBERS]; ///< throw: position, velocity, mass, radius
+    long line;                    ///< of the log that it was read from; 0: of none
 } Event;
+
+typedef struct World World;
 
 typedef struct Record {
     int count;
@@ -42,6 +45,9 @@ typedef struct Record {
 /// Read a log. A line that cannot be understood, a key that is not in the command table, or steps
 /// that run backwards are faults with line.
 bool record_load(const char* file, Record* record, Fault* fault);
+
+/// Whether a world can apply all events of a log: a line that it cannot is found before the run.
+bool record_check(const Record* record, const char* file, const World* world, Fault* fault);
 
 /// The form of a log as Markdown: its lines, the names of its keys, and what it may set.
 void record_reference(FILE* out);

@@ -11,7 +11,7 @@
 #ifndef BALLOON_WORLD_REST_H
 #define BALLOON_WORLD_REST_H
 
-#include "world/blowup.h"
+#include "world/guard/blowup.h"
 
 /// Before the substeps of a step: wake the balloons whose amount of gas has changed.
 void rest_wake_changed(World* world);

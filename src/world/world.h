@@ -10,8 +10,8 @@
 #include "contact/contacts.h"
 #include "solve/method.h"
 #include "world/balloon.h"
-#include "world/blowup.h"
-#include "world/energy_watch.h"
+#include "world/guard/blowup.h"
+#include "world/guard/energy_watch.h"
 #include "world/record.h"
 #include "scene/scene.h"
 
@@ -55,6 +55,9 @@ void world_reset(World* world);
 
 /// Apply an event of the input log. Unknown keys are faults.
 bool world_event(World* world, const Event* event, Fault* fault);
+
+/// Whether an event of a log that was read can be applied to this world.
+bool world_event_check(const World* world, const Event* event, Fault* fault);
 
 /// Simulated time [s].
 static inline double world_time(const World* world) {

@@ -162,6 +162,21 @@ printf 'units: paper\nstep: [\n' >"$scratch/yaml.yaml"
 bad "yaml.yaml:[0-9]+: " "$balloon" run "$scratch/yaml.yaml"
 printf '# balloon input 1 party\n30 key dance down\n' >"$scratch/bad.log"
 bad "bad.log:2: " "$balloon" run party --input "$scratch/bad.log"
+# what a world cannot set is found before the first step, whenever it is due
+while read -r set words; do
+    printf '# balloon input 1 party\n0 set gravity 1\n99999999 set %s\n' "${set/=/ }" >"$scratch/bad.log"
+    bad "bad.log:3: ${set%=*}: $words" "$balloon" run party --seconds 0.01 --input "$scratch/bad.log"
+done <<'END'
+gravity=much 'much' is not a number
+gravity=nan 'nan' is not a number
+gravity=1e39 1e39 is out of range
+balloons.77.damping.rate=1 there are balloons 0 to
+balloons.-1.damping.rate=1 there are balloons 0 to
+balloons.0.damping.rate=-1 must be
+damping.rate=-1 must be
+balloons.0.model=1 cannot be set while a scene runs
+step=1 cannot be set while a scene runs
+END
 bad "cannot be written" "$balloon" run party --csv /proc/nothing/here.csv
 bad "cannot be written" "$balloon" run party --seconds 0.1 --mesh /proc/nothing/here.obj
 bad "/proc/nothing" "$balloon" render party --out /proc/nothing/here

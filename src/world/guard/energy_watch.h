@@ -26,8 +26,8 @@
 /// takes energy: not with pressure on an open skin, corrected springs, `volume: global`, a material
 /// of variable thickness, or the paper's contact. An undivided step of springs is below a bound that
 /// holds, and saving its state would cost 20 % of it.
-#ifndef BALLOON_WORLD_ENERGY_WATCH_H
-#define BALLOON_WORLD_ENERGY_WATCH_H
+#ifndef BALLOON_WORLD_GUARD_ENERGY_WATCH_H
+#define BALLOON_WORLD_GUARD_ENERGY_WATCH_H
 
 #include <stdbool.h>
 

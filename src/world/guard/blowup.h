@@ -5,10 +5,10 @@
 /// a ball is not finite, a gas has lost its volume, or an element of rubber its thickness. It is
 /// found at the step where it happens, in every mode of the guard, and the sentence names the cause
 /// that was measured. The last good state is at most GUARD_INTERVAL steps old.
-#ifndef BALLOON_WORLD_BLOWUP_H
-#define BALLOON_WORLD_BLOWUP_H
+#ifndef BALLOON_WORLD_GUARD_BLOWUP_H
+#define BALLOON_WORLD_GUARD_BLOWUP_H
 
-#include "world/guard.h"
+#include "world/guard/guard.h"
 
 /// Why the world has halted; halted is false while it runs.
 typedef struct Blowup {

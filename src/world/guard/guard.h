@@ -30,8 +30,8 @@
 /// Contacts and strain limits correct velocities after the solve of an implicit step, by impulses
 /// that know no spring: a skin gives way by what its springs do in one step. Substeps with such
 /// corrections are at most the explicit bound, under `split`. (Contacts of `newton` are not counted.)
-#ifndef BALLOON_WORLD_GUARD_H
-#define BALLOON_WORLD_GUARD_H
+#ifndef BALLOON_WORLD_GUARD_GUARD_H
+#define BALLOON_WORLD_GUARD_GUARD_H
 
 #include "scene/scene.h"
 #include "solve/method.h"

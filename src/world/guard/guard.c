@@ -1,4 +1,4 @@
-#include "world/guard.h"
+#include "world/guard/guard.h"
 
 enum { REFINEMENT_MAX = 64 }; ///< floor of the energy watch: 1/64 of a stable substep
 

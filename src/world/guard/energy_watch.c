@@ -1,4 +1,4 @@
-#include "world/energy_watch.h"
+#include "world/guard/energy_watch.h"
 
 #include "base/vectors.h"
 #include "force/inflation.h"

@@ -1,4 +1,4 @@
-#include "world/blowup.h"
+#include "world/guard/blowup.h"
 
 #include <string.h>
 
