@@ -38,7 +38,7 @@ const Option option_table[] = {
     {"--quiet",     NULL,       "say nothing but results and faults", RUNS, FLAG(quiet)},
     {"--threads",   "N",        "threads that share a step, same bits; 1", VERBS_ALL, TEXT(threads)},
     {"--keep",      NULL,       "bench: keep these figures, to compare later ones with", VERB_BENCH, FLAG(keep)},
-    {"--only",      "WORD",     "bench table1, guard: rows with it in their names; scenes: a seed, or 0-499", VERB_BENCH, TEXT(only)},
+    {"--only",      "WORD",     "bench table1, guard: rows with it in their names; scenes, encounters: a seed, or 0-499", VERB_BENCH, TEXT(only)},
     {"--quick",     NULL,       "bench, chart, stability, needs: a thinned measurement", VERB_BENCH | VERB_CHART | VERB_STABILITY | VERB_NEEDS, FLAG(quick)},
     {"--all",       NULL,       "chart: every point there is; needs: every scene", VERB_CHART | VERB_NEEDS, FLAG(all)},
     {"--overwrite", NULL,       "write over files that balloon did not make, or that it reads", SESSIONS | OUTS, FLAG(overwrite)},

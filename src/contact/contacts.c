@@ -239,6 +239,15 @@ void contacts_drift(Contacts* contacts, double h) {
         thing_drift(&contacts->thing[k], h);
 }
 
+void contacts_place(Contacts* contacts, int skin) {
+    if (!contacts->skin_pairs.skin || !contacts->skin_pairs.skin[skin].has_ends)
+        return;
+    TouchingSkin* touching = &contacts->skin_pairs.skin[skin];
+    const Body* body = contacts->skin[skin].body;
+    memcpy(body->x, touching->end, (size_t)body->count * sizeof *body->x);
+    touching->has_ends = false;
+}
+
 void contacts_penalty(Contacts* contacts, double h) {
     if (contacts->law != CONTACT_PAPER)
         return;

@@ -151,6 +151,9 @@ static inline double contacts_fall_time(const Contacts* contacts, double h) {
     return contacts->drift > 0 ? contacts->drift - contacts->kicked / 2 + h / 2 : h;
 }
 
+/// Put a skin, which has drifted, where impact zones have decided, if they have.
+void contacts_place(Contacts* contacts, int skin);
+
 /// The paper's penalty, if that is the law: call after the skins have drifted.
 void contacts_penalty(Contacts* contacts, double h);
 

@@ -131,6 +131,7 @@ static void drift_balloon(void* self, int b) {
     if (balloon->body.asleep)
         return;
     drift->world->method->drift(&balloon->body, drift->h);
+    contacts_place(&drift->world->contacts, b);
     volume_constraint_volume(&balloon->volume_constraint, &balloon->body, drift->h);
 }
 

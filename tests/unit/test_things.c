@@ -14,7 +14,7 @@ static int crossings_with_things(const World* world) {
     int count = 0;
     for (int b = 0; b < world->balloon_count; b++)
         for (int k = 0; k < world->thing_count; k++)
-            count += crossings_of(&world->balloon[b].body, &world->thing[k].body);
+            count += exact_crossings(&world->balloon[b].body, &world->thing[k].body);
     return count;
 }
 

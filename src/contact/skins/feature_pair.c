@@ -4,6 +4,9 @@ enum { MAX_ADVANCES = 64 }; ///< after them, the part so far is safe
 static const double rounding =
     1e-14; ///< [1] of the terms of a volume, many times what double loses
 
+/// [1] of the pair's extent, twice what double loses of a separation
+static const double separation_rounding = 4e-15;
+
 /// [1] of the product of their squared lengths: of the area between two edges that are far from
 /// parallel, squared
 static const double far_from_parallel = 1e-6;
@@ -109,6 +112,23 @@ double feature_separation(FeatureKind kind, const double4 x[4], double4 normal) 
     return first - second;
 }
 
+double feature_clearance(FeatureKind kind, const double4 x[4], double4 normal) {
+    double extent2 = 0;
+    for (int k = 1; k < FEATURE_NODES; k++)
+        extent2 = fmax(extent2, ddot(x[k] - x[0], x[k] - x[0]));
+    return feature_separation(kind, x, normal) - separation_rounding * sqrt(extent2);
+}
+
+/// The same, with the normal of the nearest points.
+static double clearance(FeatureKind kind, const double4 x[4]) {
+    double weight[4];
+    const double distance = feature_distance(kind, x, weight);
+    double4 away = {0};
+    for (int k = 0; k < FEATURE_NODES; k++)
+        away += weight[k] * x[k];
+    return distance > 0 ? feature_clearance(kind, x, away / dlength(away)) : 0;
+}
+
 /// How much nearer the two may come on the paths.
 static double longest_approach(FeatureKind kind, const double4 dx[4]) {
     double4 common = {0};
@@ -123,20 +143,20 @@ static double longest_approach(FeatureKind kind, const double4 dx[4]) {
 }
 
 double feature_safe_part(FeatureKind kind, const double4 x[4], const double4 dx[4], double share) {
-    double weight[4], distance = feature_distance(kind, x, weight);
-    const double approach = longest_approach(kind, dx), least = share * distance;
-    double part = 0;
-    for (int n = 0; n < MAX_ADVANCES; n++) {
-        const double longer = part + (distance - least) * 0.9 / approach;
-        if (!(longer < 1)) // nothing moves, or the rest is shorter
+    double4 at[4];
+    for (int k = 0; k < FEATURE_NODES; k++)
+        at[k] = x[k] - x[0];
+    double now = clearance(kind, at), part = 0;
+    const double approach = longest_approach(kind, dx), least = share * now;
+    if (!(approach > 0)) // the two keep their distance
+        return 1;
+    for (int n = 0; n < MAX_ADVANCES && now > 1.1 * least; n++) {
+        part += (now - least) * 0.9 / approach;
+        if (part >= 1)
             return 1;
-        double4 at[4];
         for (int k = 0; k < FEATURE_NODES; k++)
-            at[k] = x[k] + longer * dx[k];
-        distance = feature_distance(kind, at, weight);
-        part = longer;
-        if (distance < 1.1 * least)
-            break;
+            at[k] = x[k] - x[0] + part * dx[k];
+        now = clearance(kind, at);
     }
     return part;
 }

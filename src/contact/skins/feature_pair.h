@@ -24,7 +24,9 @@ typedef struct FeaturePair {
     // where it was last measured
     int64_t measured; ///< number of drifts then
     double distance;  ///< [m]
-    double4 normal;   ///< unit vector from the second side's nearest point to the first's
+    double
+        clearance; ///< what it is at least, whatever was rounded; 0 or less: not known to be apart [m]
+    double4 normal; ///< unit vector from the second side's nearest point to the first's
     double weight[FEATURE_NODES]; ///< nearest points: sum_k weight_k x_k is normal times distance
 } FeaturePair;
 
@@ -42,9 +44,13 @@ double feature_distance(FeatureKind kind, const double4 x[FEATURE_NODES],
 /// separates them where it is greater than 0.
 double feature_separation(FeatureKind kind, const double4 x[FEATURE_NODES], double4 normal);
 
-/// A part t of straight paths x + t dx, 0 < t <= 1, in which the two come no nearer than `share` of
-/// their distance at the start: 1 if that is so on the whole path. Conservative advancement: no
-/// point of a feature moves farther than its fastest corner.
+/// Least distance that the two surely have: the separation along the normal between their nearest
+/// points, less what rounding may have added. The nearest points themselves need not be exact.
+double feature_clearance(FeatureKind kind, const double4 x[FEATURE_NODES], double4 normal);
+
+/// A part t of straight paths x + t dx, 0 <= t <= 1, in which the two come no nearer than `share` of
+/// their clearance at the start: 1 if that is so on the whole path, 0 if they have none. Conservative
+/// advancement: no point of a feature moves farther than its fastest corner.
 /// Source: M. Li, D. M. Kaufman, C. Jiang, Codimensional Incremental Potential Contact, ACM Trans.
 /// Graph. 40, 2021, section 5 (additive CCD).
 double feature_safe_part(FeatureKind kind, const double4 x[FEATURE_NODES],

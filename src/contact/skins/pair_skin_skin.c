@@ -177,8 +177,8 @@ static double limit_drift(Contacts* contacts, double h) {
     const double safe = safe_drift(contacts, h);
     if (safe == h || (contacts->part < PARTS_MAX && safe > part_min * contacts->kicked))
         return safe;
-    contacts->zone_particles += impact_zones(contacts, h);
-    return skin_pairs_limit(contacts, h);
+    contacts->zone_particles += impact_zones(contacts, &h);
+    return h;
 }
 
 const PairRow pair_skin_skin = {

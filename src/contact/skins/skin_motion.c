@@ -87,6 +87,14 @@ double skin_motion_relative(const Contacts* contacts, int a, int b, double h) {
     return h * speed + roundings * REAL_EPSILON * (p->coordinate_max + q->coordinate_max);
 }
 
+real4 skin_motion_end(const Contacts* contacts, int b, int i, double h) {
+    const Body* body = contacts->skin[b].body;
+    if (body->asleep)
+        return body->x[i];
+    const TouchingSkin* skin = &contacts->skin_pairs.skin[b];
+    return skin->has_ends ? skin->end[i] : body->x[i] + (real)h * body->v[i];
+}
+
 void skin_motion_drifted(Contacts* contacts, int b, double h) {
     TouchingSkin* skin = &contacts->skin_pairs.skin[b];
     skin->coordinate_max += h * (dlength(skin->velocity) + skin->spread);

@@ -35,6 +35,8 @@ typedef struct TouchingSkin {
     double4 velocity;            ///< of the middle of the box of the particles' velocities [m/s]
     double spread;               ///< no velocity differs more from it [m/s]
     double coordinate_max;       ///< bound on the coordinates of its particles [m]
+    bool has_ends; ///< impact zones have decided where its particles are after the coming drift
+    real4* end;    ///< [count] there; NULL until that is so for the first time [m]
 } TouchingSkin;
 
 /// The motion of skin b up to the positions x + ahead v.
@@ -46,6 +48,9 @@ void skin_motion_measure_velocities(struct Contacts* contacts);
 /// Bound on the relative motion of any two points of skins a and b, or of one, in a drift of length h
 /// at the velocities last measured, as the state's precision stores it [m].
 double skin_motion_relative(const struct Contacts* contacts, int a, int b, double h);
+
+/// Where particle i of skin b is after a drift of length h, as the state's precision stores it.
+real4 skin_motion_end(const struct Contacts* contacts, int b, int i, double h);
 
 /// Skin b has drifted by h at the velocities last measured.
 void skin_motion_drifted(struct Contacts* contacts, int b, double h);

@@ -301,7 +301,7 @@ void skin_pairs_forget(Contacts* contacts) {
     pairs->begun = false;
     pairs->count = 0;
     for (int b = 0; pairs->skin && b < contacts->skin_count; b++)
-        pairs->skin[b].fitted = false;
+        pairs->skin[b].fitted = pairs->skin[b].has_ends = false;
     for (int l = 0; pairs->list && l < contacts->skin_count * contacts->skin_count; l++) {
         pairs->list[l].valid = false;
         pairs->list[l].count = 0;
@@ -314,8 +314,10 @@ void skin_pairs_close(Contacts* contacts) {
         free(pairs->list[l].pair);
         free(pairs->list[l].near_from);
     }
-    for (int b = 0; pairs->skin && b < contacts->skin_count; b++)
+    for (int b = 0; pairs->skin && b < contacts->skin_count; b++) {
         free(pairs->skin[b].reference);
+        free(pairs->skin[b].end);
+    }
     free(pairs->list);
     free(pairs->made);
     free(pairs->skin);

@@ -25,6 +25,7 @@ extern const BenchCase bench_advise;
 extern const BenchCase bench_contacts;
 extern const BenchCase bench_contact_cost;
 extern const BenchCase bench_contact_hour;
+extern const BenchCase bench_encounters;
 extern const BenchCase bench_guard;
 extern const BenchCase bench_heap;
 extern const BenchCase bench_scenes;
