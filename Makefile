@@ -71,7 +71,7 @@ UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
 SCENE   ?=
 SECONDS ?= 60
 
-.PHONY: all help run test check tidy fuzz golden bench chart picture reference format clean install programs tests \
+.PHONY: all help run test check tidy fuzz golden bench chart picture reference format clean install programs tests hashes \
     packages-build packages-run packages-test packages-check headers
 .DELETE_ON_ERROR:
 
@@ -98,11 +98,12 @@ check: packages-build packages-run packages-test packages-check
 	@tests/format.sh
 	@tests/layers.sh
 	@$(MAKE) --no-print-directory -j$(JOBS) headers
-	@$(MAKE) --no-print-directory -j$(JOBS) EXTRA="$(or $(EXTRA),-Werror)" programs
+	@$(MAKE) --no-print-directory -j$(JOBS) EXTRA="$(or $(EXTRA),-Werror)" programs hashes
 	@tests/structure.sh $(BUILD)
 	@JOBS=$(JOBS) tests/hashes.sh check $(BUILD)
 	@echo "clang, warnings as errors"
-	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ EXTRA="-Werror -g1" programs
+	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/clang CC=clang CXX=clang++ SOURCES="$(STEPPING)" \
+	    EXTRA="-Werror -g1" hashes
 	@BALLOON_CPU=baseline THREADS=2 JOBS=$(JOBS) tests/hashes.sh check-own build/clang
 	@echo "sanitizers"
 	@$(MAKE) --no-print-directory -j$(JOBS) BUILD=build/threads CC=clang CXX=clang++ SOURCES="$(STEPPING)" \
@@ -125,7 +126,7 @@ fuzz: packages-build packages-check
 
 golden:
 	$(call say_missing,$(BUILD_PACKAGES),$(LIBRARIES),gcc g++ pkg-config)
-	@$(MAKE) --no-print-directory -j$(JOBS) programs
+	@$(MAKE) --no-print-directory -j$(JOBS) hashes
 	@JOBS=$(JOBS) tests/hashes.sh renew $(BUILD)
 
 compile_commands.json: Makefile
@@ -243,6 +244,11 @@ $$(BUILD)/$(1)/fuzz: tests/fuzz/fuzz.c tests/fuzz/targets.h $$(BUILD)/$(1)/libba
 	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) -Isrc -D_POSIX_C_SOURCE=200809L -c $$< -o $$@.o
 	@$$(CXX) $$(EXTRA) -fsanitize=fuzzer $$@.o $$(BUILD)/$(1)/libballoon.a $$(bullet_$(1)) $$(libraries) -o $$@
 
+$$(BUILD)/$(1)/state_hash: tests/state_hash.c $$(BUILD)/$(1)/libballoon.a
+	@echo "  $$@"
+	@$$(CC) -std=c17 -g $$(BITS) $$(WARN) $$(EXTRA) $(3) -Isrc -D_POSIX_C_SOURCE=200809L -c $$< -o $$@.o
+	@$$(CXX) $$(EXTRA) $$@.o $$(BUILD)/$(1)/libballoon.a $$(bullet_$(1)) $$(libraries) -o $$@
+
 # tests are compiled without optimization, which is quicker; the library that they call is optimized
 $$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
 	@mkdir -p $$(@D)
@@ -257,6 +263,7 @@ $$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
 $$(BUILD)/$(1)/tests/test_allocation: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)
 
 programs: $$(BUILD)/$(2)
+hashes: $$(BUILD)/$(1)/state_hash
 tests: $$(UNIT:%=$$(BUILD)/$(1)/tests/%)
 .SECONDARY: $$(UNIT:%=$$(BUILD)/$(1)/tests/%.o)
 endef

@@ -9,8 +9,7 @@
 #   hashes.sh renew BUILD       write the table anew, after a change of bits on purpose
 #
 # A scene runs for 1 s by its own method, or 0.3 s by Newton's, whose steps depend on all
-# particles of the last one; for 0.02 s by each other method. A refused pair has the row
-# `refused`, a halted run `halted`, independent of the wording of sentences. THREADS: threads of
+# particles of the last one; for 0.02 s, or a step where that is longer, by each other method. THREADS: threads of
 # each run, 1; JOBS: runs side by side.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -22,15 +21,7 @@ trap 'rm -f "$now" "$now".*' EXIT
 
 # one SCENE METHOD PRECISION SECONDS: print its row
 one() {
-    local program=balloon hash status=0
-    [ "$3" = float ] || program=balloon-double
-    hash=$("$build/$program" run "$1" --method "$2" --seconds "$4" --threads "$THREADS" --hash --quiet 2>/dev/null) || status=$?
-    # a refused pair does not even have an initial state
-    if [ $status != 0 ]; then
-        hash=halted
-        "$build/$program" run "$1" --method "$2" --seconds 1e-9 --hash --quiet >/dev/null 2>&1 || hash=refused
-    fi
-    printf '%s,%s,%s,%s,%s\n' "$1" "$2" "$3" "$4" "$(printf '%s' "$hash" | tail -1)"
+    printf '%s,%s,%s,%s,%s\n' "$1" "$2" "$3" "$4" "$("$build/$3/state_hash" "$1" "$2" "$4" "$THREADS" 2>/dev/null || echo failed)"
 }
 export -f one
 

@@ -153,11 +153,13 @@ void body_inflate(Body* body, const Inflation* inflation) {
 void body_tie(Body* body, int particle, const double anchor[3], double stiffness, double slack) {
     array_reserve(body->string, body->string_count, body->string_capacity);
     const real4 end = to_real4((double4){anchor[0], anchor[1], anchor[2], 0});
+    const real distance = length(body->x[particle] - end), free_length = (real)slack * distance;
     body->string[body->string_count++] = (String){
         .particle = particle,
         .anchor = end,
         .stiffness = (real)stiffness,
-        .free_length = (real)slack * length(body->x[particle] - end),
+        .free_length = free_length,
+        .first_stretch = real_max(distance - free_length, 0),
     };
 }
 

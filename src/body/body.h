@@ -17,10 +17,11 @@
 /// exceeds it.
 typedef struct String {
     int particle;
-    real4 anchor;     ///< [m]
-    real stiffness;   ///< [N/m]
-    real free_length; ///< [m]
-    real4 impulse;    ///< h^2 times its pull in the last step, of a method that finds it [kg m]
+    real4 anchor;       ///< [m]
+    real stiffness;     ///< [N/m]
+    real free_length;   ///< [m]
+    real first_stretch; ///< when it was first tied [m]; tied again, it is stretched no more
+    real4 impulse;      ///< h^2 times its pull in the last step, of a method that finds it [kg m]
 } String;
 
 /// Capacity for the parameters of forces.

@@ -12,6 +12,10 @@ static real excess(const Body* body, const String* string) {
     return real_max(length(body->x[string->particle] - string->anchor) - string->free_length, 0);
 }
 
+void string_reach(const Body* body, String* string) {
+    string->free_length += real_max(excess(body, string) - string->first_stretch, 0);
+}
+
 double string_tension(const Body* body, int string) {
     const String* s = &body->string[string];
     return (double)(s->stiffness * excess(body, s));

@@ -7,6 +7,7 @@
 #include "base/table.h"
 #include "force/inflation.h"
 #include "force/material.h"
+#include "force/strings.h"
 #include "mesh/load.h"
 #include "world/balloon_check.h"
 #include "world/guard/guard.h"
@@ -324,6 +325,8 @@ void balloon_tie(Balloon* balloon, const WorldDef* def, bool tied) {
         balloon->strings = 1;
     }
     body->string_count = tied ? balloon->strings : 0;
+    for (int k = 0; k < body->string_count; k++)
+        string_reach(body, &body->string[k]);
 }
 
 void balloon_close(Balloon* balloon) {

@@ -61,8 +61,9 @@ void balloon_blow(Balloon* balloon, double seconds);
 /// Remove the gas that leaks through the skin in that time.
 void balloon_leak(Balloon* balloon, double seconds);
 
-/// Tie all strings, or untie them. A balloon without strings in its scene gets one, from its lowest
-/// particle straight down to the floor.
+/// Tie all strings, or untie them. A string that is too short for where the balloon is now is tied
+/// longer. A balloon without strings in its scene gets one, from its lowest particle straight down
+/// to the floor.
 void balloon_tie(Balloon* balloon, const WorldDef* def, bool tied);
 
 void balloon_close(Balloon* balloon);

@@ -101,10 +101,10 @@ if [ -z "${SHORT:-}" ]; then
     ok "a bench makes a row of the paper's table" grep -qE "^holes.obj +5896  to 1e-6 +[0-9.]+ " \
         <("$balloon" bench table1 --quick --only holes --out "$scratch/bench")
     ok "no step of a scene is wrong under the guard" grep -qE "^[0-9]+ cells, 0 of them WRONG$" <("$balloon" bench guard --quick)
+    ok "a bench says where a frame's time goes" grep -qE "^party +9850  resolve +[0-9.]+ " \
+        <("$balloon" bench frame --quick --out "$scratch/bench")
+    ok "a bench plays at random, the same twice" grep -qE "^party +2 +[0-9]+ +[1-9]" <("$balloon" bench soak --quick --only party --out "$scratch/bench")
 fi
-ok "a bench says where a frame's time goes" grep -qE "^party +9850  resolve +[0-9.]+ " \
-    <("$balloon" bench frame --quick --out "$scratch/bench")
-ok "a bench plays at random, the same twice" grep -qE "^party +2 +[0-9]+ +[1-9]" <("$balloon" bench soak --quick --only party --out "$scratch/bench")
 ok "no value of a scene makes it end wrongly" grep -qE "^[0-9]+ scenes: .* 0 WRONG$" <("$balloon" bench scenes --quick)
 ok "and a scene of the storm can be seen alone" grep -qE "^  balloon run .* --set=" <("$balloon" bench scenes --only 2)
 ok "rubber without area has a volume" test "$("$balloon" run fails/stvk-collapse --set balloons.0.skin.membrane.young=4.3e-6 --seconds 0.3 --fps 10 --quiet --csv - | grep -c nan)" = 0

@@ -31,6 +31,28 @@ static void all_keys_fit_the_help_box(void** state) {
     assert_true(keys_count() <= OVERLAY_KEYS);
 }
 
+/// A balloon that flew off untied is tied where it is: a string of the old length would pull one
+/// particle by many times the balloon's size in a step.
+static void a_string_is_tied_again_where_the_balloon_is(void** state) {
+    (void)state;
+    World world;
+    WORLD_OF(&world, "tether", "balloons.0.strings.0.stiffness=5000");
+    const uint64_t start = world_hash(&world);
+    press(&world, "string", "down");
+    run_for(&world, 4);
+    assert_less(2.5, probe(&world, "balloon0.cy"));
+    press(&world, "string", "down");
+    assert_near(probe(&world, "balloon0.string0.tension"), 0, 0.1);
+    run_for(&world, 1);
+    assert_false(world.blowup.halted);
+    assert_less(1, probe(&world, "balloon0.string0.tension"));
+    press(&world, "reset", "down");
+    assert_true(world_hash(&world) == start);
+    run_for(&world, 2);
+    assert_less(probe(&world, "balloon0.cy"), 0.5); // on the string of its scene
+    world_close(&world);
+}
+
 static char record[32];
 
 static int open_record(void** state) {
@@ -304,6 +326,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_key_stands_twice),
         cmocka_unit_test(every_key_is_found_in_one_table),
+        cmocka_unit_test(a_string_is_tied_again_where_the_balloon_is),
         cmocka_unit_test(all_keys_fit_the_help_box),
         cmocka_unit_test(a_session_is_replayed_to_the_same_bits),
         cmocka_unit_test(another_scene_gets_a_log_of_its_own),

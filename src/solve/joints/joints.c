@@ -63,9 +63,11 @@ void joints_add(Joints* joints, JointEnd from, JointEnd to, double stiffness, do
     array_reserve(joints->joint, joints->count, joints->capacity);
     Joint* joint = &joints->joint[joints->count++];
     const real4 d = joint_position(joints, to, 0) - joint_position(joints, from, 0);
+    const real free_length = (real)slack * length(d);
     *joint = (Joint){.end = {from, to},
                      .stiffness = (real)stiffness,
-                     .free_length = (real)slack * length(d),
+                     .free_length = free_length,
+                     .first_stretch = real_max(length(d) - free_length, 0),
                      .tied = true};
     for (int e = 0; e < 2; e++)
         if (joint->end[e].body != NONE) {
@@ -87,6 +89,12 @@ real4 joint_force(const Joints* joints, const Joint* joint, double h) {
         joint_position(joints, joint->end[1], h) - joint_position(joints, joint->end[0], h);
     const real size = length(d), over = size - joint->free_length;
     return joint->tied && over > 0 ? (joint->stiffness * over / size) * d : (real4){0, 0, 0, 0};
+}
+
+void joint_reach(const Joints* joints, Joint* joint) {
+    const real4 d =
+        joint_position(joints, joint->end[1], 0) - joint_position(joints, joint->end[0], 0);
+    joint->free_length = real_max(joint->free_length, length(d) - joint->first_stretch);
 }
 
 double joint_tension(const Joints* joints, const Joint* joint) {

@@ -30,10 +30,11 @@ typedef struct JointEnd {
 } JointEnd;
 
 typedef struct Joint {
-    JointEnd end[2];  ///< end 0 is a particle
-    real stiffness;   ///< [N/m]
-    real free_length; ///< [m]
-    bool tied;        ///< false: no force
+    JointEnd end[2];    ///< end 0 is a particle
+    real stiffness;     ///< [N/m]
+    real free_length;   ///< [m]
+    real first_stretch; ///< when it was first tied [m]; tied again, it is stretched no more
+    bool tied;          ///< false: no force
 } Joint;
 
 typedef struct Knot {
@@ -82,6 +83,9 @@ double joint_tension(const Joints* joints, const Joint* joint);
 
 /// E of a joint after a drift of length h of its knot [J].
 double joint_energy(const Joints* joints, const Joint* joint, double h);
+
+/// Lengthen a joint that is tied again to where its ends are now, as string_reach does.
+void joint_reach(const Joints* joints, Joint* joint);
 
 /// Energy of all joints at the present positions [J].
 double joints_energy(const Joints* joints);

@@ -102,6 +102,8 @@ bool knots_tie(World* world, int balloon) {
         if (joint->end[0].body != balloon)
             continue;
         joint->tied = !joint->tied;
+        if (joint->tied)
+            joint_reach(joints, joint);
         any = true;
     }
     return any;
