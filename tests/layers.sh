@@ -19,7 +19,7 @@ declare -A may=(
     [scene]="base mesh body force solve contact scene" [scene/keys]="base force solve scene"
     [world]="base mesh body force solve constraint contact contact/skins scene world world/guard world/things world/knots"
     [world/guard]="base mesh body force solve scene world world/guard"
-    [world/things]="base mesh contact contact/skins contact/things scene world world/things"
+    [world/things]="base mesh force contact contact/skins contact/things scene world world/things"
     [world/knots]="base scene world world/things world/knots"
     [lab/run]="base mesh scene world lab/run"
     [lab/truth]="base mesh force world lab/truth"

@@ -128,6 +128,16 @@ void body_hold_rim(Body* body) {
                 body->inverse_mass[body->mesh->edge[e][k]] = 0;
 }
 
+int body_hold(Body* body, const double center[3], double radius) {
+    int count = 0;
+    for (int i = 0; i < body->count; i++)
+        if (body_is_near(body, i, center, radius)) {
+            body->inverse_mass[i] = 0;
+            count++;
+        }
+    return count;
+}
+
 void body_add_membrane(Body* body, const double* thickness, const Rubber* rubber) {
     membrane_make(&body->membrane, body->mesh, body->x, thickness, rubber);
 

@@ -84,6 +84,16 @@ void body_add_torsion(Body* body, double stiffness);
 /// Hold the particles on the rim of an open mesh fixed. Call before body_add_springs.
 void body_hold_rim(Body* body);
 
+/// Hold the particles up to `radius` from a point. Returns how many there are.
+int body_hold(Body* body, const double center[3], double radius);
+
+/// Whether a particle is that near to the point.
+static inline bool body_is_near(const Body* body, int particle, const double center[3],
+                                double radius) {
+    const double4 c = {center[0], center[1], center[2], 0};
+    return dlength(to_double4(body->x[particle]) - c) <= radius;
+}
+
 /// Give the body a skin of rubber, at rest at the present positions, and that rubber's mass.
 /// thickness: [count] at the particles [m]
 void body_add_membrane(Body* body, const double* thickness, const Rubber* rubber);

@@ -45,7 +45,7 @@ void contacts_add_things(Contacts* contacts, Thing* thing, int count) {
     contacts->skin_count = skins + count;
     contacts->thing = thing;
     contacts->thing_count = count;
-    contacts->thing_impulse = new_array(double4, (skins + 1) * count);
+    contacts->thing_impulse = new_array(ThingImpulse, (skins + 1) * count);
 }
 
 void contacts_wake(Contacts* contacts, int skin, int other) {
@@ -106,12 +106,15 @@ double contacts_safe_step(Contacts* contacts, double h) {
     contacts->contact_count = contacts->near_count = 0;
     if (contacts->law == CONTACT_PAPER) // its figures are of whole steps
         return h;
+    for (int k = 0; k < contacts->thing_count; k++)
+        h = thing_safe_step(&contacts->thing[k], h);
     for (int k = 0; k < contacts->thing_count; k++) {
         thing_begin_drift(&contacts->thing[k], h);
         if (contacts->thing[k].still >
             0) // impulses against each other would grow from part to part
             contacts->warm.count = 0;
     }
+    contacts->woke |= pins_follow(&contacts->pins);
     for (int r = 0; r < PAIR_ROWS; r++)
         if (pair_table[r]->safe_step)
             h = pair_table[r]->safe_step(contacts, h);
@@ -302,6 +305,7 @@ void contacts_close(Contacts* contacts) {
     free(contacts->plane);
     free(contacts->plane_impulse);
     free(contacts->thing_impulse);
+    pins_close(&contacts->pins);
     free(contacts->skin);
     free(contacts->sphere);
     free(contacts->good);

@@ -21,8 +21,15 @@
 #include "contact/islands.h"
 #include "contact/plane.h"
 #include "contact/skins/skin_pairs.h"
+#include "contact/things/pins.h"
 #include "contact/things/thing.h"
 #include "contact/warm_start.h"
+
+/// Of contacts on a thing.
+typedef struct ThingImpulse {
+    double4 linear;  ///< [N s]
+    double4 angular; ///< about the origin of the world [N m s]
+} ThingImpulse;
 
 /// A skin that balls and skins can touch.
 typedef struct ContactSkin {
@@ -51,8 +58,9 @@ typedef struct Contacts {
     double*
         plane_impulse; ///< [(first_thing + 1) * plane_count] of this step (contact/reaction.h) [N s]
     int thing_count;
-    Thing* thing;           ///< [thing_count] the caller's
-    double4* thing_impulse; ///< [(first_thing + 1) * thing_count] the same [N s]
+    Thing* thing;                ///< [thing_count] the caller's
+    ThingImpulse* thing_impulse; ///< [(first_thing + 1) * thing_count] the same
+    Pins pins;                   ///< particles that things hold
     int skin_count;
     int first_thing;   ///< skins from this number on are those of things
     ContactSkin* skin; ///< [skin_count]

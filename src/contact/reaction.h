@@ -13,9 +13,9 @@ static inline double* reaction_on(Contacts* contacts, int skin, int plane) {
     return &contacts->plane_impulse[skin * contacts->plane_count + plane];
 }
 
-/// Add an impulse that a skin or, where skin == first_thing, a ball gives to a thing [N s], and the
-/// work that the thing does on its path.
-void reaction_add(Contacts* contacts, int skin, int thing, double4 impulse);
+/// Add an impulse that a skin or, where skin == first_thing, a ball gives to a thing at x [N s], and
+/// the work that the thing does on its path.
+void reaction_add(Contacts* contacts, int skin, int thing, double4 impulse, double4 x);
 
 /// Forget the impulses of the last step, but not those of sleeping skins.
 void reaction_clear(Contacts* contacts);
@@ -30,7 +30,7 @@ void reaction_add_contacts(Contacts* contacts);
 /// Normal impulse on a plane in this step [N s].
 double reaction_of_plane(const Contacts* contacts, int plane);
 
-/// Impulse on a thing in this step [N s].
-double4 reaction_of_thing(const Contacts* contacts, int thing);
+/// Impulse on a thing in this step; its moment about the thing's present origin.
+ThingImpulse reaction_of_thing(const Contacts* contacts, int thing);
 
 #endif

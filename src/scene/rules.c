@@ -73,7 +73,7 @@ static bool tied_twice(const WorldDef* world, const BalloonDef* balloon) {
     (void)world;
     for (unsigned i = 0; i < balloon->strings_count; i++) {
         const StringDef* string = &balloon->strings[i];
-        if (!!string->to + !!string->to_balloon + !!string->to_knot > 1)
+        if (!!string->to + !!string->to_balloon + !!string->to_knot + !!string->to_thing > 1)
             return true;
     }
     return false;
@@ -85,12 +85,22 @@ static bool is_number_below(const double* number, unsigned count) {
 
 static bool tied_to_none(const WorldDef* world, const BalloonDef* balloon) {
     for (unsigned i = 0; i < balloon->strings_count; i++) {
-        const double *to = balloon->strings[i].to_balloon, *knot = balloon->strings[i].to_knot;
+        const double *to = balloon->strings[i].to_balloon, *knot = balloon->strings[i].to_knot,
+                     *thing = balloon->strings[i].to_thing;
         if ((to && (!is_number_below(to, world->balloons_count) ||
                     &world->balloons[(unsigned)*to] == balloon)) ||
-            (knot && !is_number_below(knot, world->knots_count)))
+            (knot && !is_number_below(knot, world->knots_count)) ||
+            (thing && !is_number_below(thing, world->things_count)))
             return true;
     }
+    return false;
+}
+
+static bool pinned_to_none(const WorldDef* world, const BalloonDef* balloon) {
+    for (unsigned i = 0; i < balloon->pins_count; i++)
+        if (balloon->pins[i].to_thing &&
+            !is_number_below(balloon->pins[i].to_thing, world->things_count))
+            return true;
     return false;
 }
 
@@ -134,9 +144,10 @@ static const Rule rule_table[] = {
                 "give it `to`, or the scene a floor", tied_to_no_floor},
     {"strings", "`at` must be nearest, lowest, highest or the number of a particle",
      tied_at_no_particle},
-    {"strings", "a string leads to one end: give to, to_balloon or to_knot", tied_twice},
-    {"strings", "to_balloon is the number of another balloon, to_knot that of one of the scene's "
-                "`knots`, from 0", tied_to_none},
+    {"strings", "a string leads to one end: give to, to_balloon, to_knot or to_thing", tied_twice},
+    {"strings", "to_balloon is the number of another balloon, to_knot and to_thing those of the scene's "
+                "`knots` and `things`, from 0", tied_to_none},
+    {"pins", "to_thing is the number of one of the scene's `things`, from 0", pinned_to_none},
     {"strain_limit", "a strain limit needs springs", limited_without_springs},
     {"inflation", "ambient, unit, temperature, adiabatic, filling, leak and vent are for the law gas",
      gas_words_without_gas},
@@ -220,6 +231,9 @@ static const char* path_is_wrong(const double* position, const PathPointDef* pat
 static const char* knot_is_wrong(const KnotDef* knot) {
     if (!knot->position && knot->path_count == 0)
         return "give its position, or its path";
+    for (unsigned k = 0; k < knot->path_count; k++)
+        if (knot->path[k].rotation)
+            return "a knot is a point and has no rotation";
     if (knot->mass > 0 && knot->path_count > 0)
         return "a knot on a path is held: give mass or path, not both";
     return path_is_wrong(knot->position, knot->path, knot->path_count);

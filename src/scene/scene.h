@@ -106,16 +106,25 @@ typedef struct StringDef {
     char* at;   ///< particle: "nearest" to the fixed end, "lowest", "highest", or its number;
                 ///< NULL: nearest, or lowest where `to` is NULL
     double* to_balloon; ///< number of another balloon that it leads to; NULL: none
-    char* to_at;        ///< particle of that balloon, as `at`; NULL: nearest to this string's
     double* to_knot;    ///< number of a knot that it leads to; NULL: none
-    double stiffness;   ///< [N/m] required
-    double slack;       ///< free length as a ratio of the first length; default 1
+    double* to_thing;   ///< number of a thing that it leads to; NULL: none
+    char* to_at;      ///< particle of that balloon, or point of that thing, as `at`; NULL: nearest
+                      ///< to this string's
+    double stiffness; ///< [N/m] required
+    double slack;     ///< free length as a ratio of the first length; default 1
 } StringDef;
 
-/// Whether a string leads to a balloon or a knot, and not to a fixed point.
+/// Whether a string leads to a balloon, a knot or a thing, and not to a fixed point.
 static inline bool string_joins(const StringDef* string) {
-    return string->to_balloon || string->to_knot;
+    return string->to_balloon || string->to_knot || string->to_thing;
 }
+
+/// `pins:` particles that are held.
+typedef struct PinDef {
+    double* at;       ///< [3] all particles up to `radius` from this point at the start; required
+    double radius;    ///< [m] required
+    double* to_thing; ///< number of the thing that holds them; NULL: they do not move
+} PinDef;
 
 /// Thresholds: largest strain of a spring [1]; 0: not limited.
 typedef struct StrainLimitDef {
@@ -143,6 +152,8 @@ typedef struct BalloonDef {
     StrainLimitDef* strain_limit;
     StringDef* strings;
     unsigned strings_count;
+    PinDef* pins;
+    unsigned pins_count;
 } BalloonDef;
 
 /// `spheres:` balls that exist from the start.
@@ -166,6 +177,7 @@ typedef struct WallDef {
 typedef struct PathPointDef {
     double at;        ///< [s]
     double* position; ///< [3] required
+    double* rotation; ///< [3] degrees about x, then y, then z, after the thing's own; NULL: none
 } PathPointDef;
 
 /// `things:` meshes of infinite mass (contact/things/thing.h).

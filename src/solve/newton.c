@@ -270,11 +270,11 @@ static bool iterate(Group* group, const Solver* solver, double size, double h, S
     return (fixed_count && size < INFINITY) || solved;
 }
 
-static void stop(const Group* group) {
-    for (int k = 0; k < group->body_count; k++) {
-        Body* body = group->body[k].body;
-        memset(body->v, 0, (size_t)body->count * sizeof *body->v);
-    }
+/// Held particles move as what holds them.
+static void stop_body(const Body* body) {
+    for (int i = 0; i < body->count; i++)
+        if (body->inverse_mass[i] > 0)
+            body->v[i] = (real4){0, 0, 0, 0};
 }
 
 /// The start of the step, and where the vectors of the equation are.
@@ -295,7 +295,7 @@ static void begin(Group* group) {
         part->vector[GROUP_IMAGE] = workspace->linear.image;
         memcpy(workspace->x_start, body->x, bytes);
         if (workspace->solver.start == START_REST)
-            memset(body->v, 0, bytes);
+            stop_body(body);
         memcpy(workspace->v_start, body->v, bytes);
     }
     group_clear(group, GROUP_CHANGE);
@@ -307,7 +307,8 @@ static bool kick_group(Group* group, double h) {
     move(group, 0, h);
     double size = evaluate_residual(group, h);
     if (!has_volume(group)) { // free motion would turn it inside out: start from x instead
-        stop(group);
+        for (int k = 0; k < group->body_count; k++)
+            stop_body(group->body[k].body);
         move(group, 0, h);
         size = evaluate_residual(group, h);
     }

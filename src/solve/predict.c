@@ -59,7 +59,9 @@ void predict_begin(Predict* predict, Body* body, double h) {
     for (int i = 0; i < body->count; i++) {
         const real mass = body->mass[i] + (real)(h * damping_drag(body, i));
         predict->weight[i] = body->inverse_mass[i] > 0 ? 1 / mass : 0;
-        predict->u[i] = ((real)h * predict->weight[i] * body->mass[i]) * body->v[i];
+        const bool moves = body->inverse_mass[i] > 0; // what holds another particle may move it
+        predict->u[i] =
+            (moves ? (real)h * predict->weight[i] * body->mass[i] : (real)h) * body->v[i];
     }
     move_ahead(predict, body);
 

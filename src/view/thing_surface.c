@@ -22,7 +22,6 @@ static void set_normal(float normal[3], double4 sum) {
         normal[k] = size > 0 ? (float)(sum[k] / size) : k == 1;
 }
 
-/// Things keep their shape and orientation: once is enough.
 static void set_normals(PictureSkin* skin, const Thing* thing) {
     const Mesh* mesh = &thing->mesh;
     const int corners = 3 * mesh->triangle_count;
@@ -75,6 +74,8 @@ bool thing_surface_update(PictureSkin* skin, const Thing* thing) {
             moved |= skin->position[c][k] != now;
             skin->position[c][k] = now;
         }
+    if (moved && thing->spin_max > 0)
+        set_normals(skin, thing);
     return moved;
 }
 

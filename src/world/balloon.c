@@ -199,6 +199,8 @@ static void make(Balloon* balloon, const WorldDef* world) {
     body->gravity = scene_gravity(world);
     if (def->hold_rim)
         body_hold_rim(body);
+    for (unsigned k = 0; k < def->pins_count; k++)
+        body_hold(body, def->pins[k].at, def->pins[k].radius);
 
     const SpringsDef* springs = def->skin.springs;
     if (springs) {

@@ -8,6 +8,7 @@
 #include "contact/skins/crossings.h"
 #include "mesh/measure.h"
 #include "world/knots/knots.h"
+#include "world/things/thing_load.h"
 
 static double kinetic(const Balloon* balloon) {
     const Body* body = &balloon->body;
@@ -161,9 +162,10 @@ static double plane_force(const OutputSubject* s) {
     return reaction_of_plane(&s->world->contacts, s->number) / s->world->step;
 }
 
-/// A component of the force of all contacts on a thing.
-static double thing_force(const OutputSubject* s, int axis) {
-    return reaction_of_thing(&s->world->contacts, s->number)[axis] / s->world->step;
+/// A component of the force on a thing or, with 3 to 5, of its moment.
+static double thing_force(const OutputSubject* s, int component) {
+    const ThingLoad load = thing_load(s->world, s->number);
+    return component < 3 ? load.force[component] : load.moment[component - 3];
 }
 
 // clang-format off
@@ -184,6 +186,9 @@ static double fz(SUBJECT) { return sphere_force(s, 2); }
 static double thing_fx(SUBJECT) { return thing_force(s, 0); }
 static double thing_fy(SUBJECT) { return thing_force(s, 1); }
 static double thing_fz(SUBJECT) { return thing_force(s, 2); }
+static double thing_mx(SUBJECT) { return thing_force(s, 3); }
+static double thing_my(SUBJECT) { return thing_force(s, 4); }
+static double thing_mz(SUBJECT) { return thing_force(s, 5); }
 #undef SUBJECT
 
 #define BALLOON const Balloon* b
@@ -270,9 +275,12 @@ const Output output_table[] = {
     {"pass_throughs", "1", "times that a ball has passed through a skin", OF_SPHERES, .value = pass_throughs},
     {"force", "N", "normal force of skins and balls on the floor, mean of the last step", OF_FLOOR, .value = plane_force},
     {"force", "N", "normal force on a wall, mean of the last step", OF_WALL, .value = plane_force},
-    {"fx", "N", "force of skins and balls on a thing, mean of the last step, x", OF_THING, .value = thing_fx},
+    {"fx", "N", "force of skins and balls on a thing, mean of the last step, and of its pins and strings, x", OF_THING, .value = thing_fx},
     {"fy", "N", "that force, y", OF_THING, .value = thing_fy},
     {"fz", "N", "that force, z", OF_THING, .value = thing_fz},
+    {"mx", "N m", "moment of that force about the thing's position, x", OF_THING, .value = thing_mx},
+    {"my", "N m", "that moment, y", OF_THING, .value = thing_my},
+    {"mz", "N m", "that moment, z", OF_THING, .value = thing_mz},
     {"crossings", "1", "pairs of triangles that cross, of one skin or of two, or of a skin and a thing", OF_SKINS, .value = crossings},
     {"taken_back", "1", "steps that gained energy, and were made again in shorter substeps", OF_GUARD, .value = taken_back},
 };

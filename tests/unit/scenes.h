@@ -21,7 +21,7 @@
 #include "scene/key.h"
 #include "scene/scene.h"
 
-enum { MAX_SETS = 4, MUTATIONS = 1000 };
+enum { MAX_SETS = 6, MUTATIONS = 1000 };
 
 static const char smallest[] = "step: 0.01\n"
                                "balloons:\n"
@@ -60,7 +60,8 @@ static const char full[] =
     "  friction: 0.75}]\n"
     "walls: [{at: [0, 0, -7], normal: [0, 0, 2]}]\n"
     "things: [{model: box, size: [1, 2, 3], scale: 2, rotation: [10, 20, 30], color: [1, 0.5, 0],\n"
-    "  friction: 0.25, path: [{at: 1, position: [0, 1, 0]}, {at: 3, position: [4, 1, 0]}]}]\n"
+    "  friction: 0.25, path: [{at: 1, position: [0, 1, 0]}, {at: 3, position: [4, 1, 0],\n"
+    "  rotation: [0, 90, 0]}]}]\n"
     "knots: [{path: [{at: 1, position: [0, 1, 0]}]}, {position: [1, 2, 3], mass: 0.5}]\n"
     "pipes: [{from: 0, to: 1, conductance: 1e-3, start: 0.5}]\n"
     "balloons:\n"
@@ -86,6 +87,8 @@ static const char full[] =
     "      - {at: 12, stiffness: 7}\n"
     "      - {to_balloon: 1, to_at: 3, stiffness: 8}\n"
     "      - {to_knot: 1, stiffness: 9}\n"
+    "      - {to_thing: 0, to_at: lowest, stiffness: 9}\n"
+    "    pins: [{at: [0, 1, 2], radius: 0.5}, {at: [0, 3, 2], radius: 0.25, to_thing: 0}]\n"
     "  - model: cube-sphere:4\n"
     "    skin:\n"
     "      membrane: {material: stvk-3d, young: 1e6, poisson: 0.4, density: 1000,\n"

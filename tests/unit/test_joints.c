@@ -234,7 +234,7 @@ static void every_key_of_strings_and_knots_loads_into_its_field(void** state) {
     (void)state;
     WorldDef def;
     must_load(full, NULL, &def);
-    assert_int_equal(def.balloons->strings_count, 4);
+    assert_int_equal(def.balloons->strings_count, 5);
     const StringDef* string = def.balloons->strings;
     assert_vector(string[0].to, 0, -6, 0.5);
     assert_string_equal(string[0].at, "nearest");
@@ -245,6 +245,13 @@ static void every_key_of_strings_and_knots_loads_into_its_field(void** state) {
     assert_true(!string_joins(&string[1]) && string_joins(&string[2]) && string_joins(&string[3]));
     assert_true(*string[2].to_balloon == 1 && *string[3].to_knot == 1);
     assert_string_equal(string[2].to_at, "3");
+    assert_true(*string[4].to_thing == 0 && string_joins(&string[4]));
+    assert_string_equal(string[4].to_at, "lowest");
+    assert_int_equal(def.balloons->pins_count, 2);
+    assert_vector(def.balloons->pins[0].at, 0, 1, 2);
+    assert_true(!def.balloons->pins[0].to_thing && def.balloons->pins[0].radius == 0.5);
+    assert_true(*def.balloons->pins[1].to_thing == 0);
+    assert_vector(def.things[0].path[1].rotation, 0, 90, 0);
     assert_int_equal(def.knots_count, 2);
     assert_true(def.knots[0].path[0].at == 1 && def.knots[1].mass == 0.5);
     assert_vector(def.knots[0].path[0].position, 0, 1, 0);

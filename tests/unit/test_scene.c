@@ -66,10 +66,10 @@ static void every_key_of_rubber_and_gas_loads_into_its_field(void** state) {
     scene_free(&def);
 
     // which no skin that touches may have
-    must_load(
-        full,
-        (const char*[]){"contacts={}", "things=[]", "balloons.1.skin.membrane.volume=global", NULL},
-        &def);
+    must_load(full,
+              (const char*[]){"contacts={}", "things=[]", "balloons.0.strings=[]",
+                              "balloons.0.pins=[]", "balloons.1.skin.membrane.volume=global", NULL},
+              &def);
     assert_int_equal(def.balloons[1].skin.membrane->volume, VOLUME_GLOBAL);
     scene_free(&def);
 }

@@ -99,7 +99,7 @@ static const Wrong wrong_table[] = {
      "things.0: a path is followed at 50 m/s at most"},
     {HEAD "things: [{model: box, position: [0, 0, 0], path: [{position: [0, 0, 0]}]}]\n", 5,
      "things.0: give position or path, not both"},
-    {HEAD "    skin: {springs: {structural: 1}}\n    strings: [{to_knot: 0, stiffness: 1}]\n", 6, "balloons.0: to_balloon is the number of another balloon, to_knot that of"},
+    {HEAD "    skin: {springs: {structural: 1}}\n    strings: [{to_knot: 0, stiffness: 1}]\n", 6, "balloons.0: to_balloon is the number of another balloon, to_knot and to_thing those of"},
     {HEAD "    skin: {springs: {structural: 1}}\n    strings: [{to_balloon: 0, stiffness: 1}]\n", 6, "to_balloon is the number of another balloon"},
     {HEAD "    skin: {springs: {structural: 1}}\n    strings: [{to_knot: 0, to: [0, 1, 0], stiffness: 1}]\nknots: [{position: [0, 0, 0]}]\n", 6,
      "a string leads to one end"},

@@ -136,6 +136,7 @@ static void hold_things(Contacts* contacts) {
             contacts->skin_pairs.skin[c->side[0] - spheres].squeezed)
             thing_hold_up(&contacts->thing[c->side[1] - first_thing]);
     }
+    pins_follow(&contacts->pins);
 }
 
 static void gather(Contacts* contacts, int row, double h) {

@@ -53,6 +53,19 @@ static void move_rigidly(ZoneMotion* motion, const Contacts* contacts, const Zon
     motion->rotation = h * spin;
 }
 
+/// The thing that a held particle belongs to, or that holds it; NULL: none.
+static Thing* thing_of(const Contacts* contacts, const ZoneParticle* p) {
+    Thing* thing = contacts_thing(contacts, p->skin);
+    return thing ? thing
+                 : pins_thing(&contacts->pins, &contacts->skin[p->skin].body->x[p->particle]);
+}
+
+/// How far the map moves a point.
+static double4 way_of(const ZoneMotion* motion, double4 x) {
+    return motion->thing ? motion->h * thing_velocity(motion->thing, x)
+                         : motion->shift + dcross(motion->rotation, x - motion->center);
+}
+
 /// What holds a zone: particles of a skin that do not move, or things.
 typedef struct Holder {
     bool held;
@@ -65,7 +78,7 @@ static Holder holder_of(const Contacts* contacts, const ZoneParticle* member, in
     for (int k = 0; k < count; k++) {
         if (particle_of(contacts, &member[k]).mass < INFINITY)
             continue;
-        Thing* thing = contacts_thing(contacts, member[k].skin);
+        Thing* thing = thing_of(contacts, &member[k]);
         if (thing && thing->body.asleep)
             thing = NULL;
         holder.several |= holder.held && thing != holder.thing;
@@ -78,29 +91,34 @@ static Holder holder_of(const Contacts* contacts, const ZoneParticle* member, in
 /// Let all things of a zone stand still.
 static void hold_up(const Contacts* contacts, const ZoneParticle* member, int count) {
     for (int k = 0; k < count; k++) {
-        Thing* thing = contacts_thing(contacts, member[k].skin);
+        Thing* thing = thing_of(contacts, &member[k]);
         if (thing)
             thing_hold_up(thing);
     }
+    pins_follow(&contacts->pins);
 }
 
 /// The motion of what holds a zone. The impulse of that on the zone's particles is counted for a thing.
 static void move_with(ZoneMotion* motion, const Thing* thing, Contacts* contacts,
                       const ZoneParticle* member, int count, double h) {
-    const double4 velocity = thing ? thing->velocity : (double4){0};
-    int on = NONE; // a thing of the zone
-    for (int k = 0; k < count; k++)
-        on = contacts_thing(contacts, member[k].skin) ? member[k].skin - contacts->first_thing : on;
+    const Thing* on = NULL; // a thing of the zone
+    for (int k = 0; k < count; k++) {
+        const Thing* one = thing_of(contacts, &member[k]);
+        on = one ? one : on;
+    }
     for (int k = 0; k < count; k++) {
         const Particle p = particle_of(contacts, &member[k]);
         if (!(p.mass < INFINITY))
             continue;
+        const double4 velocity = thing ? thing_velocity(thing, p.x) : (double4){0};
         const double4 change = velocity - to_double4(*p.v);
         *p.v = to_real4(velocity);
-        if (on != NONE)
-            reaction_add(contacts, member[k].skin, on, -p.mass * change);
+        if (on)
+            reaction_add(contacts, member[k].skin, (int)(on - contacts->thing), -p.mass * change,
+                         p.x);
     }
-    motion->shift = h * velocity;
+    motion->shift = thing ? h * thing->velocity.shift : (double4){0};
+    motion->thing = thing && thing->spin_max > 0 ? thing : NULL;
     motion->center = motion->rotation = (double4){0};
 }
 
@@ -151,11 +169,11 @@ static bool adds_exactly(double4 x, double4 d) {
 /// Where the zone's particles are after the drift. Those of what holds it move by themselves.
 static void set_ends(ZoneMotion* motion, Contacts* contacts, const ZoneParticle* member, int count,
                      double h) {
-    motion->exact = !(ddot(motion->rotation, motion->rotation) > 0);
+    motion->exact = !motion->thing && !(ddot(motion->rotation, motion->rotation) > 0);
     for (int k = 0; k < count; k++) {
         const ZoneParticle* p = &member[k];
         const Particle now = particle_of(contacts, p);
-        const double4 way = motion->shift + dcross(motion->rotation, now.x - motion->center);
+        const double4 way = way_of(motion, now.x);
         const real4 end = to_real4(now.x + way);
         if (now.mass < INFINITY)
             ends_of(contacts, p->skin, h)[p->particle] = end;
@@ -167,6 +185,8 @@ static void set_ends(ZoneMotion* motion, Contacts* contacts, const ZoneParticle*
 bool zone_motion_set(ZoneMotion* motion, Contacts* contacts, const ZoneParticle* member, int count,
                      double h) {
     const Holder holder = holder_of(contacts, member, count);
+    motion->thing = NULL;
+    motion->h = h;
     const bool stops = holder.several || (holder.thing && motion->path != ZONE_RIGID);
     if (stops)
         hold_up(contacts, member, count);
@@ -193,7 +213,7 @@ bool zone_motion_keeps(const ZoneMotion* motion, const Contacts* contacts, const
         const int b = feature_pair_skin(pair, k), side = k >= (int)pair->kind;
         const double4 x = to_double4(contacts->skin[b].body->x[pair->node[k]]);
         const double4 end = to_double4(skin_motion_end(contacts, b, pair->node[k], h));
-        const double4 map = motion->shift + dcross(motion->rotation, x - motion->center);
+        const double4 map = way_of(motion, x);
         off[side] = fmax(off[side], dlength(end - x - map));
         largest = fmax(largest, dlength(x) + dlength(map));
     }

@@ -4,7 +4,8 @@
 /// positions follow one affine map x + d + r x (x - c), d = h v, r = h w, of double precision, and are
 /// rounded once. Two of its points that were a distance D apart are afterward, and on straight paths
 /// between, at least D - e apart, e the sum of what rounding moved each: the map's least singular value
-/// is 1. Where D - e may not be positive, the positions do less than the velocities say:
+/// is 1. A zone with a thing that rotates follows that thing's own map, which is one of a quarter radian
+/// at most: on straight paths it is never less than 0.99 D - e. Where D - e may not be positive, the positions do less than the velocities say:
 ///
 ///     ZONE_RIGID     x + d + r x (x - c), rounded
 ///     ZONE_SHIFTED   x + d', d' rounded to a multiple of the coarsest spacing of the zone's
@@ -28,6 +29,8 @@ typedef struct ZoneParticle {
 typedef struct ZoneMotion {
     ZonePath path;
     double4 center, shift, rotation; ///< c, d, r of the map that positions follow
+    const Thing* thing;              ///< whose rotation they follow instead, NULL: none
+    double h;                        ///< length of the drift [s]
     bool exact; ///< all particles have moved by the same vector, and nothing was rounded
 } ZoneMotion;
 

@@ -6,7 +6,8 @@
 #include "base/memory.h"
 #include "mesh/point_corners.h"
 
-static const double return_rate = 10; ///< [1/s] at most, to the path
+static const double return_rate_max = 10; ///< [1/s] to the path
+static const double turn_max = 0.25;      ///< [rad] in a drift
 
 static const double still_time = 0.05; ///< [s] of a thing that is held up
 
@@ -37,11 +38,12 @@ static void find_across(Thing* thing) {
     point_corners_close(&corners);
 }
 
-void thing_make(Thing* thing, const Mesh* mesh, real friction, const PathPoint* path,
-                int path_count) {
+void thing_make(Thing* thing, const Mesh* mesh, real friction, double4 origin,
+                const PathPoint* path, int path_count) {
     const int count = mesh->point_count;
     *thing = (Thing){.mesh = *mesh,
                      .friction = friction,
+                     .origin = origin,
                      .path_count = path_count,
                      .path = new_array(PathPoint, path_count),
                      .start = new_array(real4, count),
@@ -51,30 +53,22 @@ void thing_make(Thing* thing, const Mesh* mesh, real friction, const PathPoint* 
     memcpy(thing->start, thing->body.x, (size_t)count * sizeof(real4));
     for (int k = 0; k < path_count; k++)
         thing->path[k] = path[k];
+    for (int i = 0; i < count; i++)
+        thing->radius = fmax(thing->radius, dlength(to_double4(thing->start[i]) - thing->origin));
+    thing->spin_max = path_spin_max(path, path_count);
     find_across(thing);
     thing_reset(thing);
 }
 
-double4 path_displacement(const PathPoint* first, int count, double t) {
-    if (count == 0 || t <= first->at)
-        return (double4){0};
-    for (const PathPoint* to = first + 1; to < first + count; to++)
-        if (t < to->at) {
-            const double part = (t - to[-1].at) / (to->at - to[-1].at);
-            return to[-1].position - first->position + part * (to->position - to[-1].position);
-        }
-    return first[count - 1].position - first->position;
-}
-
 static void stand_still(Thing* thing) {
     thing->body.asleep = true;
-    thing->velocity = (double4){0};
+    thing->velocity = (Pose){0};
     memset(thing->body.v, 0, (size_t)thing->body.count * sizeof(real4));
 }
 
 void thing_reset(Thing* thing) {
     thing->time = thing->still = thing->delay = 0;
-    thing->displacement = (double4){0};
+    thing->pose = (Pose){0};
     thing->said = false;
     memcpy(thing->body.x, thing->start, (size_t)thing->body.count * sizeof(real4));
     stand_still(thing);
@@ -89,21 +83,46 @@ void thing_begin_drift(Thing* thing, double h) {
         return;
     }
     Body* body = &thing->body;
-    const double rate = fmin(1 / h, return_rate);
-    const double4 now = path_displacement(thing->path, thing->path_count, thing->time),
-                  lag = now - thing->displacement,
-                  along = path_displacement(thing->path, thing->path_count, thing->time + h) - now;
+    const double rate = fmin(1 / h, return_rate_max);
+    const Pose now = path_pose(thing->path, thing->path_count, thing->time),
+               next = path_pose(thing->path, thing->path_count, thing->time + h),
+               lag = pose_sum(1, &now, -1, &thing->pose), along = pose_sum(1, &next, -1, &now);
     // at rest a rounding remains as it is
-    if (dlength(along) == 0 && dlength(lag) <= (double)REAL_EPSILON * body->size) {
+    if (pose_reach(&along, thing->radius) == 0 &&
+        pose_reach(&lag, thing->radius) <= (double)REAL_EPSILON * body->size) {
         stand_still(thing);
         return;
     }
-    thing->velocity = along / h + rate * lag;
+    thing->velocity = (Pose){.shift = along.shift / h + rate * lag.shift};
+    for (int k = 0; k < 3; k++)
+        thing->velocity.turn[k] = along.turn[k] / h + rate * lag.turn[k];
+    thing->return_rate = rate;
     body->asleep = false;
-    for (int i = 0; i < body->count; i++) {
-        const double4 to = to_double4(thing->start[i]) + thing->displacement;
-        body->v[i] = to_real4(thing->velocity + rate * (to - to_double4(body->x[i])));
-    }
+    for (int i = 0; i < body->count; i++)
+        body->v[i] = thing_particle_velocity(thing, to_double4(thing->start[i]), body->x[i]);
+}
+
+double thing_safe_step(const Thing* thing, double h) {
+    return thing->spin_max > 0 ? fmin(h, turn_max / thing->spin_max) : h;
+}
+
+real4 thing_particle_velocity(const Thing* thing, double4 start, real4 x) {
+    if (thing->body.asleep)
+        return (real4){0, 0, 0, 0};
+    const double4 to = start + pose_displacement(&thing->pose, thing->origin, start);
+    return to_real4(pose_displacement(&thing->velocity, thing->origin, start) +
+                    thing->return_rate * (to - to_double4(x)));
+}
+
+double4 thing_velocity(const Thing* thing, double4 x) {
+    return thing->spin_max > 0 ? pose_displacement(&thing->velocity, thing->origin,
+                                                   pose_start(&thing->pose, thing->origin, x))
+                               : thing->velocity.shift;
+}
+
+double4 thing_point(const Thing* thing, double4 start, double h) {
+    const Pose then = pose_sum(1, &thing->pose, h, &thing->velocity);
+    return start + pose_displacement(&then, thing->origin, start);
 }
 
 void thing_hold_up(Thing* thing) {
@@ -122,7 +141,7 @@ void thing_drift(Thing* thing, double h) {
     if (thing->body.asleep)
         return;
     body_drift(&thing->body, h);
-    thing->displacement += h * thing->velocity;
+    thing->pose = pose_sum(1, &thing->pose, h, &thing->velocity);
 }
 
 void thing_keep(Thing* thing) {
@@ -132,7 +151,7 @@ void thing_keep(Thing* thing) {
     thing->good_time = thing->time;
     thing->good_still = thing->still;
     thing->good_delay = thing->delay;
-    thing->good_displacement = thing->displacement;
+    thing->good_pose = thing->pose;
 }
 
 void thing_put_back(Thing* thing) {
@@ -142,7 +161,7 @@ void thing_put_back(Thing* thing) {
     thing->time = thing->good_time;
     thing->still = thing->good_still;
     thing->delay = thing->good_delay;
-    thing->displacement = thing->good_displacement;
+    thing->pose = thing->good_pose;
     stand_still(thing);
 }
 

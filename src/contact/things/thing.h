@@ -5,24 +5,20 @@
 /// that it has no thickness and wakes nothing while it is at rest. It is a surface with two sides,
 /// open or closed: what begins inside a closed one stays inside.
 ///
-/// A path goes in straight lines through points at given times, and rests before the first and after
-/// the last. In a drift of length h all particles have the velocity
+/// In a drift of length h each particle, which began at s, has the velocity
 ///
-///     v = (p(t + h) - p(t)) / h + (p(t) - d) min(1 / h, 10 / s)
+///     v = V s + (D s - x) min(1 / h, 10 / s),   V = (P(t + h) - P(t)) / h + (P(t) - D) min(1 / h, 10 / s)
 ///
-/// p is the path's displacement, t the thing's own time, d its present displacement: a drift that
-/// contacts cut leaves d beside p. Each particle comes back in the same way from what rounding adds.
+/// P is the pose on the path (contact/things/path.h), t the thing's own time, D its present pose: a
+/// drift that contacts cut leaves D beside P, and rounding x beside D s. A drift is a straight way for
+/// each particle and so short that it turns the thing by little.
 /// A thing that would press a skin to nothing is held up: it stands still for 0.05 s, then tries again.
 /// Its time stands still as long, which slows its path.
 #ifndef BALLOON_CONTACT_THINGS_THING_H
 #define BALLOON_CONTACT_THINGS_THING_H
 
 #include "body/body.h"
-
-typedef struct PathPoint {
-    double at;        ///< [s]
-    double4 position; ///< [m]
-} PathPoint;
+#include "contact/things/path.h"
 
 typedef struct Thing {
     Mesh mesh;
@@ -30,36 +26,49 @@ typedef struct Thing {
     real friction; ///< Coulomb's coefficient of skins on it
     int path_count;
     PathPoint* path; ///< [path_count] in rising order of times
+    double4 origin;  ///< about which the path rotates it, at the start [m]
+    double radius;   ///< of its farthest point from there [m]
+    double spin_max; ///< bound on its angular velocity [rad/s]
     real4* start;    ///< [count] positions without a displacement [m]
     int (*across)
         [3]; ///< [triangle_count] for the side from corner k to the next the opposite point of
              ///< the triangle on its other side; NONE: a rim
     // state
-    double time;          ///< along the path [s]
-    double4 displacement; ///< [m]
-    double4 velocity;     ///< of all particles, but for the return of each from rounding [m/s]
-    double still;         ///< how much longer it stands still since it was held up [s]
-    double delay;         ///< sum of the drifts in which it was held up [s]
-    bool said;            ///< that it was held up
+    double time;        ///< along the path [s]
+    Pose pose;          ///< D
+    Pose velocity;      ///< V [1/s]
+    double return_rate; ///< of its particles to D in this drift [1/s]
+    double still;       ///< how much longer it stands still since it was held up [s]
+    double delay;       ///< sum of the drifts in which it was held up [s]
+    bool said;          ///< that it was held up
     // the last good state
     real4* good_x; ///< [count]
     double good_time, good_still, good_delay;
-    double4 good_displacement;
+    Pose good_pose;
 } Thing;
 
-/// Displacement at time t from the first point of a path of `count` points; 0 without a path [m].
-double4 path_displacement(const PathPoint* path, int count, double t);
-
 /// Make a thing at the first positions of its path from a mesh, which the thing then owns, with its
-/// points where they are to be at path[0]. path: [path_count], copied.
-void thing_make(Thing* thing, const Mesh* mesh, real friction, const PathPoint* path,
-                int path_count);
+/// points where they are to be at path[0]. origin: about which it turns. path: [path_count], copied.
+void thing_make(Thing* thing, const Mesh* mesh, real friction, double4 origin,
+                const PathPoint* path, int path_count);
 
 /// Back to the start of its path.
 void thing_reset(Thing* thing);
 
+/// The longest drift, at most h, that turns it by little [s].
+double thing_safe_step(const Thing* thing, double h);
+
 /// Set the velocity for a drift of length h.
 void thing_begin_drift(Thing* thing, double h);
+
+/// Present velocity of a particle that moves with the thing, began at `start` and is at x now [m/s].
+real4 thing_particle_velocity(const Thing* thing, double4 start, real4 x);
+
+/// Velocity of the thing's point that is at x now [m/s].
+double4 thing_velocity(const Thing* thing, double4 x);
+
+/// Where it would be after h at the present velocity: a point that began at `start` [m].
+double4 thing_point(const Thing* thing, double4 start, double h);
 
 /// Let it stand still from this drift on, if it moves.
 void thing_hold_up(Thing* thing);

@@ -120,6 +120,7 @@ static const NeedsPart part_table[] = {
     {"tarantino",   "corrected springs go on pulling",   .key = "balloons.*.strain_limit.tarantino"},
     {"strings",     "untied",                            .key = "balloons.*.strings"},
     {"hold_rim",    "the rim moves",                     .key = "balloons.*.hold_rim"},
+    {"pins",        "these particles move",              .key = "balloons.*.pins"},
     {"mesh",        "half as many edges each way",       .simplify = mesh},
     {"step",        "twice as long",                     .simplify = step},
     {"precision",   "float",                             .simplify = precision},

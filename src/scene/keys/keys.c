@@ -89,6 +89,8 @@ static const KeyGroup wall_keys = GROUP(wall_row, WallDef);
 static const Key path_row[] = {
     {{"at", "s", NOT_NEGATIVE, 0, "time"}, KEY_NUMBER, AT(at)},
     {{"position", "m", ANY, NAN, "where the thing or the knot is then"}, KEY_VECTOR, AT(position), .required = true},
+    {{"rotation", "degrees", ANY, NAN, "of a thing: about the axes x, then y, then z, after its own rotation; 720 are two turns"},
+     KEY_VECTOR, AT(rotation), .absent = "none"},
 };
 #undef DEF
 static const KeyGroup path_keys = GROUP(path_row, PathPointDef);
@@ -107,7 +109,7 @@ static const Key thing_row[] = {
     {{"color", "1", 0, 1, false, false, false, NAN, "red, green and blue in sRGB"}, KEY_VECTOR, AT(color),
      .absent = "gray"},
     {{"friction", "1", NOT_NEGATIVE, RUBBER_FRICTION, "Coulomb's coefficient of skins on it; a ball has its own"}, KEY_NUMBER, AT(friction)},
-    {{"path", NO_NUMBER, "points that the thing goes through in straight lines, at most 50 m/s"}, KEY_LIST, AT(path), COUNT(path_count),
+    {{"path", NO_NUMBER, "points that the thing goes through in straight lines and turns, no point of it faster than 50 m/s"}, KEY_LIST, AT(path), COUNT(path_count),
      .group = &path_keys},
 };
 #undef DEF

@@ -139,10 +139,12 @@ static const Key string_row[] = {
      KEY_TEXT, AT(at), .absent = "`nearest`, or `lowest` without another end", .longest = WORD_LONGEST},
     {{"to_balloon", "1", NOT_NEGATIVE, NAN, "number of another balloon that the string leads to, from 0"},
      KEY_OPTIONAL, AT(to_balloon), .absent = "none"},
-    {{"to_at", NO_NUMBER, "the particle of that balloon, as in `at`"}, KEY_TEXT, AT(to_at),
-     .absent = "`nearest`", .longest = WORD_LONGEST},
     {{"to_knot", "1", NOT_NEGATIVE, NAN, "number of a knot that the string leads to, from 0"},
      KEY_OPTIONAL, AT(to_knot), .absent = "none"},
+    {{"to_thing", "1", NOT_NEGATIVE, NAN, "number of a thing that the string leads to, from 0"},
+     KEY_OPTIONAL, AT(to_thing), .absent = "none"},
+    {{"to_at", NO_NUMBER, "the particle of that balloon or the point of that thing, as in `at`"}, KEY_TEXT, AT(to_at),
+     .absent = "`nearest`", .longest = WORD_LONGEST},
     {{"stiffness", "N/m", NOT_NEGATIVE, NAN, "stiffness of the taut string"}, KEY_NUMBER, AT(stiffness),
      .required = true},
     {{"slack", "1", POSITIVE, 1, "free length as a ratio of the first length"}, KEY_NUMBER,
@@ -150,6 +152,17 @@ static const Key string_row[] = {
 };
 #undef DEF
 static const KeyGroup string_keys = GROUP(string_row, StringDef);
+
+#define DEF PinDef
+static const Key pin_row[] = {
+    {{"at", "m", ANY, NAN, "a point of the world at the start"}, KEY_VECTOR, AT(at), .required = true},
+    {{"radius", "m", POSITIVE, NAN, "the particles up to here from it are held"}, KEY_NUMBER, AT(radius),
+     .required = true},
+    {{"to_thing", "1", NOT_NEGATIVE, NAN, "number of the thing that holds them, from 0"}, KEY_OPTIONAL,
+     AT(to_thing), .absent = "none: they do not move"},
+};
+#undef DEF
+static const KeyGroup pin_keys = GROUP(pin_row, PinDef);
 
 #define DEF BalloonDef
 static const Key balloon_row[] = {
@@ -174,8 +187,10 @@ static const Key balloon_row[] = {
      .group = &inflation_keys},
     {{"strain_limit", NO_NUMBER, "strain limiting of over-stretched springs"},
      KEY_POINTER, AT(strain_limit), .old = "correction", .group = &strain_limit_keys},
-    {{"strings", NO_NUMBER, "strings to fixed points, to other balloons and to knots"}, KEY_LIST, AT(strings),
+    {{"strings", NO_NUMBER, "strings to fixed points, to other balloons, to knots and to things"}, KEY_LIST, AT(strings),
      COUNT(strings_count), .group = &string_keys},
+    {{"pins", NO_NUMBER, "particles that are held, or that things hold"}, KEY_LIST, AT(pins), COUNT(pins_count),
+     .group = &pin_keys},
 };
 #undef DEF
 // clang-format on

@@ -36,6 +36,12 @@ void joints_add_knot(Joints* joints, const double position[3], double mass, cons
     knot->good = knot->point;
 }
 
+int joints_add_thing_point(Joints* joints, const Thing* thing, const double point[3]) {
+    joints_add_knot(joints, point, 0, NULL, 0);
+    joints->knot[joints->knot_count - 1].thing = thing;
+    return joints->knot_count - 1;
+}
+
 /// Connect two bodies: all that are connected to either have the same first body.
 static void connect(Joints* joints, int a, int b) {
     const int first = joints->joined[a], other = joints->joined[b];
@@ -122,7 +128,9 @@ void joints_begin(Joints* joints, double h) {
             continue;
         }
         const double4 to =
-            knot->start + path_displacement(knot->path, knot->path_count, joints->time + h);
+            knot->thing
+                ? thing_point(knot->thing, knot->start, h)
+                : knot->start + path_pose(knot->path, knot->path_count, joints->time + h).shift;
         knot->point.v = to_real4((to - to_double4(knot->point.x)) / h);
     }
 }
@@ -158,7 +166,8 @@ void joints_drift(Joints* joints, double h) {
 
 bool joints_are_led(const Joints* joints) {
     for (int k = 0; k < joints->knot_count; k++)
-        if (joints->knot[k].path_count > 0)
+        if (joints->knot[k].path_count > 0 ||
+            (joints->knot[k].thing && joints->knot[k].thing->path_count > 0))
             return true;
     return false;
 }

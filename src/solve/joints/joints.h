@@ -6,7 +6,8 @@
 /// A knot is a point that several strings share. A free knot has a mass and no contacts. It is not
 /// massless: a massless knot has no position while its strings are slack, and needs a solve of its
 /// own in every force evaluation. With a mass, both momenta are kept to rounding. A held knot has
-/// infinite mass and rests, or follows a path (contact/things/thing.h).
+/// infinite mass and rests, or follows a path (contact/things/path.h) or a thing, of which it is a
+/// point: so are the ends of strings to things.
 ///
 /// An explicit method adds the forces in its kick; an implicit one has them in its equation
 /// (solve/joints/joint_terms.h). The tangent of a joint satisfies
@@ -40,7 +41,8 @@ typedef struct Joint {
 typedef struct Knot {
     Sphere point;          ///< position, velocity and mass; its radius and spin have no effect
     bool held;             ///< infinite mass
-    double4 start;         ///< position at the first point of the path [m]
+    double4 start;         ///< position at the first point of the path, or of the thing's [m]
+    const Thing* thing;    ///< that it is a point of; NULL: none
     const PathPoint* path; ///< [path_count] owned by the caller
     int path_count;
     double w2;      ///< bound on the squared frequency that the joints add [1/s^2]; 0: held
@@ -68,6 +70,9 @@ void joints_close(Joints* joints);
 /// A knot at `position`: with a mass [kg], or with 0 held. path: [path_count].
 void joints_add_knot(Joints* joints, const double position[3], double mass, const PathPoint* path,
                      int path_count);
+
+/// A held knot at a point of a thing. Returns its number.
+int joints_add_thing_point(Joints* joints, const Thing* thing, const double point[3]);
 
 /// A string of `slack` times the present distance of its ends.
 void joints_add(Joints* joints, JointEnd from, JointEnd to, double stiffness, double slack);
@@ -105,7 +110,7 @@ void joints_drift(Joints* joints, double h);
 /// The hash continued with the positions and velocities of the knots.
 uint64_t joints_hash(const Joints* joints, uint64_t hash);
 
-/// Whether a knot follows a path.
+/// Whether a knot follows a path, its own or a thing's.
 bool joints_are_led(const Joints* joints);
 
 /// Add the forces of the joints at the present positions to the f of a body.

@@ -39,7 +39,8 @@ static bool is_watched(const World* world) {
     if (!guard_splits(&world->guard, world->method) ||
         (world->contacts.law == CONTACT_PAPER && world->contacts.sphere_count > 0))
         return false;
-    if (joints_are_led(&world->system.joints)) // the work of a knot on a path is unknown
+    // the work of what follows a path is unknown, but for that of contacts
+    if (joints_are_led(&world->system.joints) || pins_are_led(&world->contacts.pins))
         return false;
     if (world->guard.substeps == 1 && !any_stiffens(world))
         return false;

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/table.h"
 #include "world/things/path_points.h"
+#include "world/things/thing_point.h"
 
 static bool has_joints(const WorldDef* def) {
     for (unsigned b = 0; b < def->balloons_count; b++)
@@ -22,18 +23,24 @@ static void methods_that_join(char* names, size_t size) {
             table_add_name(names, size, method_table[k]->name);
 }
 
-/// Whether every `to_at` that is a number is that of a particle.
+/// Whether every `to_at` that is a number is that of a particle, or of a thing's point.
 static bool check_particles(const World* world, Fault* fault) {
     for (int b = 0; b < world->balloon_count; b++)
         for (unsigned k = 0; k < world->balloon[b].def->strings_count; k++) {
             const StringDef* string = &world->balloon[b].def->strings[k];
-            if (!string->to_balloon || !string->to_at || string->to_at[0] > '9')
+            if ((!string->to_balloon && !string->to_thing) || !string->to_at ||
+                string->to_at[0] > '9')
                 continue;
-            const Balloon* other = &world->balloon[(int)*string->to_balloon];
-            if (strtol(string->to_at, NULL, 10) >= other->body.count)
+            const int other = (int)*(string->to_thing ? string->to_thing : string->to_balloon);
+            const char* model = string->to_thing ? world->def.things[other].model
+                                                 : world->balloon[other].def->model;
+            const int count = string->to_thing ? world->thing[other].body.count
+                                               : world->balloon[other].body.count;
+            if (strtol(string->to_at, NULL, 10) >= count)
                 return fault_set(fault, world->def.file,
-                                 "balloons.%d.strings.%u.to_at: %s has particles 0 to %d, not %s",
-                                 b, k, other->def->model, other->body.count - 1, string->to_at);
+                                 "balloons.%d.strings.%u.to_at: %s has %s 0 to %d, not %s", b, k,
+                                 model, string->to_thing ? "points" : "particles", count - 1,
+                                 string->to_at);
         }
     return true;
 }
@@ -44,7 +51,7 @@ bool knots_open(World* world, Fault* fault) {
         char names[128];
         methods_that_join(names, sizeof names);
         return fault_set(fault, def->file,
-                         "method '%s' takes no string to a balloon or a knot; take %s",
+                         "method '%s' takes no string to a balloon, a knot or a thing; take %s",
                          world->method->name, names);
     }
     if (!check_particles(world, fault))
@@ -53,6 +60,20 @@ bool knots_open(World* world, Fault* fault) {
     for (unsigned k = 0; k < def->knots_count; k++)
         world->knot_path[k] = path_points(def->knots[k].path, def->knots[k].path_count);
     return true;
+}
+
+/// A string to the thing's point that its `to_at` names, or the nearest one to its particle.
+static void add_thing_joint(World* world, int b, const StringDef* def) {
+    const Thing* thing = &world->thing[(int)*def->to_thing];
+    const Body* body = &world->balloon[b].body;
+    double point[3];
+    thing_point_at(thing, def->to_at, NULL, point);
+    const int particle = balloon_particle_at(body, def->at, point);
+    const double4 x = to_double4(body->x[particle]);
+    thing_point_at(thing, def->to_at, &x, point);
+    Joints* joints = &world->system.joints;
+    const JointEnd to = {NONE, joints_add_thing_point(joints, thing, point)};
+    joints_add(joints, (JointEnd){b, particle}, to, def->stiffness, def->slack);
 }
 
 /// The particle of balloon b that a string begins at, and its other end.
@@ -89,7 +110,9 @@ void knots_begin(World* world) {
     for (int b = 0; b < world->balloon_count; b++) {
         const BalloonDef* def = world->balloon[b].def;
         for (unsigned k = 0; k < def->strings_count; k++)
-            if (string_joins(&def->strings[k]))
+            if (def->strings[k].to_thing)
+                add_thing_joint(world, b, &def->strings[k]);
+            else if (string_joins(&def->strings[k]))
                 add_joint(world, b, &def->strings[k]);
     }
 }

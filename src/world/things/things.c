@@ -46,25 +46,26 @@ static void stretch(const ThingDef* def, const Mesh* mesh) {
     }
 }
 
-/// Rotate about axis k by an angle [degrees].
-static double4 rotate(double4 p, int k, double angle) {
-    const double c = cos(angle * PI / 180), s = sin(angle * PI / 180);
-    const int u = (k + 1) % 3, v = (k + 2) % 3;
-    double4 rotated = p;
-    rotated[u] = c * p[u] - s * p[v];
-    rotated[v] = s * p[u] + c * p[v];
-    return rotated;
+static const double speed_max = 50; ///< [m/s] of any point: what contacts stop without a crossing
+
+/// NULL: the origin.
+static const double* position_of(const ThingDef* def) {
+    return def->path_count > 0 ? def->path[0].position : def->position;
 }
 
 /// Move the mesh's points to where the thing begins.
 static void place(const ThingDef* def, const Mesh* mesh) {
     if (def->size)
         stretch(def, mesh);
-    const double* to = def->path_count > 0 ? def->path[0].position : def->position;
+    const double* to = position_of(def);
+    double4 own = {0}, first = {0}; // rotations: the thing's, and then its path's at the start
+    for (int k = 0; k < 3; k++) {
+        own[k] = def->rotation ? def->rotation[k] * PI / 180 : 0;
+        first[k] =
+            def->path_count > 0 && def->path[0].rotation ? def->path[0].rotation[k] * PI / 180 : 0;
+    }
     for (int i = 0; i < mesh->point_count; i++) {
-        double4 p = def->scale * mesh->point[i];
-        for (int k = 0; def->rotation && k < 3; k++)
-            p = rotate(p, k, def->rotation[k]);
+        double4 p = path_rotate(first, path_rotate(own, def->scale * mesh->point[i]));
         for (int k = 0; to && k < 3; k++)
             p[k] += to[k];
         mesh->point[i] = p;
@@ -83,17 +84,48 @@ static bool open_thing(World* world, unsigned number, Fault* fault) {
     place(def, &mesh);
     PathPoint* point = path_points(def->path, def->path_count);
     Thing* thing = &world->thing[number];
-    thing_make(thing, &mesh, (real)def->friction, point, (int)def->path_count);
+    const double* to = position_of(def);
+    const double4 origin = to ? (double4){to[0], to[1], to[2], 0} : (double4){0};
+    thing_make(thing, &mesh, (real)def->friction, origin, point, (int)def->path_count);
     world->thing_count++;
     free(point);
     if (!balloon_check_position(&thing->body, world->def.file, name, fault))
         return false;
+    const double fastest = path_fastest(thing->path, thing->path_count, thing->radius);
+    if (!(fastest <= speed_max))
+        return fault_set(fault, world->def.file,
+                         "%s.path: a point %.3g m from its middle would move at up to %.3g m/s; "
+                         "a path is followed at %g m/s at most; give it more time",
+                         name, thing->radius, fastest, speed_max);
     for (int b = 0; b < world->balloon_count; b++)
         if (crossings_any(&world->balloon[b].body, &thing->body))
             return fault_set(fault, world->def.file,
                              "%s (%s) crosses the skin of balloons.%d (%s) at the start; move one "
                              "of them",
                              name, def->model, b, world->balloon[b].def->model);
+    return true;
+}
+
+/// Whether each pin reaches a particle, and not all are held.
+static bool check_pins(const Balloon* balloon, const char* location, int number, Fault* fault) {
+    const Body* body = &balloon->body;
+    bool free_left = balloon->def->pins_count == 0;
+    for (int i = 0; i < body->count; i++)
+        free_left |= body->inverse_mass[i] > 0;
+    if (!free_left)
+        return fault_set(fault, location, "balloons.%d.pins: they hold all particles of %s", number,
+                         balloon->def->model);
+    for (unsigned k = 0; k < balloon->def->pins_count; k++) {
+        const PinDef* pin = &balloon->def->pins[k];
+        int count = 0;
+        for (int i = 0; i < body->count; i++)
+            count += body_is_near(body, i, pin->at, pin->radius);
+        if (count == 0)
+            return fault_set(fault, location,
+                             "balloons.%d.pins.%u: no particle of %s is within %g m of %g, %g, %g",
+                             number, k, balloon->def->model, pin->radius, pin->at[0], pin->at[1],
+                             pin->at[2]);
+    }
     return true;
 }
 
@@ -106,7 +138,18 @@ bool things_open(World* world, Fault* fault) {
     for (unsigned k = 0; k < world->def.things_count; k++)
         if (!open_thing(world, k, fault))
             return false;
+    for (int b = 0; b < world->balloon_count; b++)
+        if (!check_pins(&world->balloon[b], world->def.file, b, fault))
+            return false;
     return true;
+}
+
+/// A particle that several pins reach is held by the first.
+static void add_pin(World* world, Body* body, const PinDef* def) {
+    Pins* pins = &world->contacts.pins;
+    for (int i = 0; def->to_thing && i < body->count; i++)
+        if (body_is_near(body, i, def->at, def->radius) && !pins_thing(pins, &body->x[i]))
+            pins_add(pins, body, i, &world->thing[(int)*def->to_thing]);
 }
 
 void things_begin(World* world) {
@@ -114,6 +157,9 @@ void things_begin(World* world) {
         thing_reset(&world->thing[k]);
     if (world->thing_count > 0)
         contacts_add_things(&world->contacts, world->thing, world->thing_count);
+    for (int b = 0; b < world->balloon_count; b++)
+        for (unsigned k = 0; k < world->balloon[b].def->pins_count; k++)
+            add_pin(world, &world->balloon[b].body, &world->balloon[b].def->pins[k]);
 }
 
 void things_notice(World* world) {
