@@ -82,6 +82,7 @@ typedef struct ChartCase {
     const char* about;
     double seconds; ///< simulated [s]
     double rows;    ///< rows of the CSV per simulated second
+    int balloons;   ///< how many get the resolution's model; 0: one
     ChartSkin skin[CHART_SKINS];
     ChartMeasure measure[CHART_MEASURES];
     ChartReference reference;
@@ -90,7 +91,8 @@ typedef struct ChartCase {
 
 extern const ChartCase chart_exact_cube, chart_sphere_gas, chart_sphere_pressure, chart_sphere_step,
     chart_discs, chart_ball_rests, chart_tether, chart_squirrel_turns, chart_sphere_fill,
-    chart_sphere_curve, chart_independence, chart_sphere_free;
+    chart_sphere_curve, chart_independence, chart_sphere_free, chart_plates, chart_plates_force,
+    chart_pair;
 
 extern const ChartCase* const chart_table[];
 extern const int chart_count;

@@ -8,7 +8,7 @@
 #include "mesh/load.h"
 #include "world/world.h"
 
-enum { SETS = 2 * CHART_SETS + 5 };
+enum { SETS = 2 * CHART_SETS + 6 };
 
 /// One skin of a case at one resolution, for one measure; the same for all methods.
 typedef struct Variant {
@@ -41,7 +41,8 @@ static void variant_make(Variant* variant, const ChartCase* chart, const ChartSk
                          .resolution = resolution,
                          .measure = measure,
                          .program = options->program};
-    add_set(variant, "balloons.0.model=%s", resolution->model);
+    for (int b = 0; b == 0 || b < chart->balloons; b++)
+        add_set(variant, "balloons.%d.model=%s", b, resolution->model);
     for (int k = 0; k < CHART_SETS && skin->set[k]; k++)
         add_set(variant, "%s", skin->set[k]);
     if (skin->law) { // kd = E h/2, and of E h = ks + 4 kf a third in flexion

@@ -31,6 +31,13 @@ struct Ball {
     explicit Ball(const Sphere& sphere);
 };
 
+struct Plate {
+    btBoxShape shape;
+    btRigidBody body;
+
+    Plate(const btTransform& middle, btScalar size);
+};
+
 btVector3 bullet_vector(double4 a) {
     return btVector3((btScalar)a[0], (btScalar)a[1], (btScalar)a[2]);
 }
@@ -54,6 +61,18 @@ Ball::Ball(const Sphere& sphere) : shape(sphere.radius), body(body_of(sphere, &s
     body.setLinearVelocity(bullet_vector(to_double4(sphere.v)));
     body.setAngularVelocity(bullet_vector(to_double4(sphere.spin)));
     body.setActivationState(DISABLE_DEACTIVATION);
+}
+
+btRigidBody::btRigidBodyConstructionInfo body_of_plate(const btTransform& middle,
+                                                       btCollisionShape* shape) {
+    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shape);
+    info.m_startWorldTransform = middle;
+    info.m_friction = 0;
+    return info;
+}
+
+Plate::Plate(const btTransform& middle, btScalar size)
+    : shape(btVector3(size / 2, size / 2, size / 2)), body(body_of_plate(middle, &shape)) {
 }
 
 std::vector<btVector3> points_of(const PeerDef& def) {
@@ -91,6 +110,7 @@ struct Peer {
     btSoftBody skin;
     int point_count; ///< of the skin's nodes; rods' ends come after them
     std::vector<std::unique_ptr<Ball>> ball;
+    std::vector<std::unique_ptr<Plate>> plate;
     double smallest = 0; ///< radius of the smallest ball [m]
 
     explicit Peer(const PeerDef& def);
@@ -133,6 +153,8 @@ Peer::Peer(const PeerDef& def)
 Peer::~Peer() {
     for (const auto& each : ball)
         world.removeRigidBody(&each->body);
+    for (const auto& each : plate)
+        world.removeRigidBody(&each->body);
     world.removeSoftBody(&skin);
 }
 
@@ -156,6 +178,13 @@ void peer_add_sphere(Peer* peer, const Sphere* sphere) {
     peer->smallest = peer->ball.size() == 1 ? radius : std::min(peer->smallest, radius);
     peer->world.getWorldInfo().m_sparsesdf.Reset();
     peer->world.getWorldInfo().m_sparsesdf.setDefaultVoxelsz((btScalar)(peer->smallest / VOXELS));
+}
+
+void peer_add_plate(Peer* peer, double4 point, double4 normal, double size) {
+    const btVector3 up(0, 1, 0), n = bullet_vector(normal);
+    const btTransform middle(shortestArcQuat(up, n), bullet_vector(point - size / 2 * normal));
+    peer->plate.push_back(std::make_unique<Plate>(middle, (btScalar)size));
+    peer->world.addRigidBody(&peer->plate.back()->body);
 }
 
 void peer_set_pressure(Peer* peer, double pressure) {

@@ -49,7 +49,7 @@ typedef struct PeerDef {
     double friction;     ///< kDF, times the ball's own [1]
     int position_rounds; ///< piterations
     int velocity_rounds; ///< viterations: links also change velocities, before the positions
-    double margin;       ///< of points against balls [m]
+    double margin;       ///< of points against balls and plates [m]
     double gravity;      ///< [m/s^2] downward
     double lift;         ///< acceleration of the skin alone [m/s^2] upward
 } PeerDef;
@@ -61,6 +61,10 @@ Peer* peer_open(const PeerDef* def);
 
 /// Add a rigid ball; Bullet's contacts with soft bodies ignore its restitution.
 void peer_add_sphere(Peer* peer, const Sphere* sphere);
+
+/// Add a fixed plate, a box of this size behind the plane through `point`: Bullet's own planes stop no
+/// soft body. normal: of unit length.
+void peer_add_plate(Peer* peer, double4 point, double4 normal, double size);
 
 /// Set kPR, pressure times volume [J].
 void peer_set_pressure(Peer* peer, double pressure);

@@ -33,6 +33,8 @@ static double widest_gap(const Body* body) {
     return longest / 2;
 }
 
+static const double plate_sizes = 100; ///< [of the skin's] of a plane that Bullet has as a box
+
 Peer* peer_of_world(const World* world, int position_rounds) {
     const PeerDef usual = peer_def_default();
     return peer_with_links(world, &(PeerLinks){usual.stiffness, position_rounds});
@@ -64,12 +66,15 @@ Peer* peer_with_links(const World* world, const PeerLinks* links) {
     def.damping = fmin(1, damping_drag(body, 0) / (double)body->mass[0] * world->step);
     def.stiffness = links->stiffness;
     def.position_rounds = links->rounds;
-    def.margin = widest_gap(body);
+    def.margin = world->contacts.sphere_count > 0 ? widest_gap(body) : 0;
     def.gravity = world->contacts.gravity;
     def.lift = helium_acceleration(body);
     Peer* peer = peer_open(&def);
     for (int s = 0; s < world->contacts.sphere_count; s++)
         peer_add_sphere(peer, &world->contacts.sphere[s]);
+    for (int k = 0; k < world->contacts.plane_count; k++)
+        peer_add_plate(peer, world->contacts.plane[k].point, world->contacts.plane[k].normal,
+                       plate_sizes * body->size);
     free(point);
     free(held);
     free(rod);

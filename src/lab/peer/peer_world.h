@@ -1,4 +1,4 @@
-/// The peer of a world: its first balloon and its balls as Bullet's own soft body and rigid bodies.
+/// The peer of a world: its first balloon, balls and planes as Bullet's own soft body and rigid bodies.
 #ifndef BALLOON_LAB_PEER_PEER_WORLD_H
 #define BALLOON_LAB_PEER_PEER_WORLD_H
 
