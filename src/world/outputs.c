@@ -168,6 +168,19 @@ static double thing_force(const OutputSubject* s, int component) {
     return component < 3 ? load.force[component] : load.moment[component - 3];
 }
 
+/// A component of a knot's position, with 3 to 5 of its velocity, with 6 to 8 of its strings' force.
+static double knot_component(const OutputSubject* s, int component) {
+    const Joints* joints = &s->world->system.joints;
+    const Sphere* point = &joints->knot[s->number].point;
+    if (component < 6)
+        return (double)(component < 3 ? point->x : point->v)[component % 3];
+    double sum = 0;
+    for (int k = 0; k < joints->count; k++)
+        if (joints->joint[k].end[1].body == NONE && joints->joint[k].end[1].number == s->number)
+            sum -= (double)joint_force(joints, &joints->joint[k], 0)[component - 6];
+    return sum;
+}
+
 // clang-format off
 #define SUBJECT const OutputSubject* s
 static double seconds(SUBJECT) { return world_time(s->world); }
@@ -189,6 +202,15 @@ static double thing_fz(SUBJECT) { return thing_force(s, 2); }
 static double thing_mx(SUBJECT) { return thing_force(s, 3); }
 static double thing_my(SUBJECT) { return thing_force(s, 4); }
 static double thing_mz(SUBJECT) { return thing_force(s, 5); }
+static double knot_x(SUBJECT) { return knot_component(s, 0); }
+static double knot_y(SUBJECT) { return knot_component(s, 1); }
+static double knot_z(SUBJECT) { return knot_component(s, 2); }
+static double knot_vx(SUBJECT) { return knot_component(s, 3); }
+static double knot_vy(SUBJECT) { return knot_component(s, 4); }
+static double knot_vz(SUBJECT) { return knot_component(s, 5); }
+static double knot_fx(SUBJECT) { return knot_component(s, 6); }
+static double knot_fy(SUBJECT) { return knot_component(s, 7); }
+static double knot_fz(SUBJECT) { return knot_component(s, 8); }
 #undef SUBJECT
 
 #define BALLOON const Balloon* b
@@ -228,6 +250,7 @@ const char* const output_prefix[OUTPUT_KINDS] = {
     [OF_FLOOR] = "floor.",
     [OF_WALL] = "wallN.",
     [OF_THING] = "thingN.",
+    [OF_KNOT] = "knotN.",
     [OF_SKINS] = "",
     [OF_GUARD] = "guard.",
 };
@@ -281,6 +304,15 @@ const Output output_table[] = {
     {"mx", "N m", "moment of that force about the thing's position, x", OF_THING, .value = thing_mx},
     {"my", "N m", "that moment, y", OF_THING, .value = thing_my},
     {"mz", "N m", "that moment, z", OF_THING, .value = thing_mz},
+    {"x", "m", "position of a knot, x", OF_KNOT, .value = knot_x},
+    {"y", "m", "position of a knot, y", OF_KNOT, .value = knot_y},
+    {"z", "m", "position of a knot, z", OF_KNOT, .value = knot_z},
+    {"vx", "m/s", "velocity of a knot, x", OF_KNOT, .value = knot_vx},
+    {"vy", "m/s", "velocity of a knot, y", OF_KNOT, .value = knot_vy},
+    {"vz", "m/s", "velocity of a knot, z", OF_KNOT, .value = knot_vz},
+    {"fx", "N", "force of all strings on a knot, x", OF_KNOT, .value = knot_fx},
+    {"fy", "N", "that force, y; its weight does not count", OF_KNOT, .value = knot_fy},
+    {"fz", "N", "that force, z", OF_KNOT, .value = knot_fz},
     {"crossings", "1", "pairs of triangles that cross, of one skin or of two, or of a skin and a thing", OF_SKINS, .value = crossings},
     {"taken_back", "1", "steps that gained energy, and were made again in shorter substeps", OF_GUARD, .value = taken_back},
 };
@@ -295,9 +327,8 @@ double output_value(const Output* output, const OutputSubject* subject) {
 void outputs_reference(FILE* out) {
     fputs(
         "\n### Outputs: the columns of `--csv`\n\n"
-        "N is the number of a balloon, ball, wall or thing, K that of a string, from 0. A column "
-        "is "
-        "there\n"
+        "N is the number of a balloon, ball, wall, thing or knot, K that of a string, from 0. A "
+        "column is there\n"
         "where the scene models it: a volume of closed skins, iterations of methods that iterate,\n"
         "the guard's where it may split a step.\n"
         "\n| column | unit | meaning |\n|---|---|---|\n",

@@ -10,7 +10,7 @@
 #include "world/world.h"
 
 /// The subject of a row: the time, each balloon, each string of a balloon, each ball, all balls
-/// together, the floor, each wall, each thing, all skins together, or the guard of the step.
+/// together, the floor, each wall, each thing, each knot, all skins together, or the guard of the step.
 typedef enum OutputKind {
     OF_TIME,
     OF_BALLOON,
@@ -20,6 +20,7 @@ typedef enum OutputKind {
     OF_FLOOR,
     OF_WALL,
     OF_THING,
+    OF_KNOT,
     OF_SKINS,
     OF_GUARD,
     OUTPUT_KINDS
@@ -32,7 +33,7 @@ extern const char* const output_prefix[OUTPUT_KINDS];
 typedef struct OutputSubject {
     const World* world;
     const Balloon* balloon; ///< for OF_BALLOON and OF_STRING
-    int number;             ///< number of the string, ball, plane or thing
+    int number;             ///< number of the string, ball, plane, thing or knot
 } OutputSubject;
 
 typedef struct Output {

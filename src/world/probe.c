@@ -81,6 +81,12 @@ static bool walk(const World* world, int spheres, Visit visit, void* self) {
         if (walk_rows(OF_THING, prefix, &subject, visit, self))
             return true;
     }
+    for (unsigned k = 0; k < world->def.knots_count; k++) {
+        subject.number = (int)k;
+        snprintf(prefix, sizeof prefix, "knot%u.", k);
+        if (walk_rows(OF_KNOT, prefix, &subject, visit, self))
+            return true;
+    }
     const SkinContacts* skins = &world->def.contacts;
     if ((skins->self || skins->others || world->thing_count > 0) &&
         walk_rows(OF_SKINS, "", &subject, visit, self))

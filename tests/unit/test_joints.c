@@ -178,6 +178,7 @@ static void rest_is_the_same_by_both_methods(void** state) {
         run_for(&world, 12);
         assert_close(probe(&world, "balloon1.string0.tension"), mass * (g - 2), 2e-3);
         assert_close(probe(&world, "balloon0.string0.tension"), mass * (g - 2) + knot * g, 2e-3);
+        assert_close(probe(&world, "knot0.fy"), knot * g, 1e-2); // its strings carry it
         world_close(&world);
     }
 }
@@ -223,6 +224,8 @@ static void a_held_knot_follows_its_path(void** state) {
     const Knot* knot = &world.system.joints.knot[0];
     assert_near((double)knot->point.x[0], 1.2, 1e-4);
     assert_near((double)knot->point.x[1], -3.2, 1e-4);
+    assert_near(probe(&world, "knot0.x"), 1.2, 1e-4);
+    assert_near(probe(&world, "knot0.vx"), 4, 1e-2); // 1.2 in 0.3 s
     double sum = 0; // of twelve strings that carry the balloons' lift
     for (int b = 0; b < world.balloon_count; b++)
         sum += joint_tension(&world.system.joints, &world.system.joints.joint[b]);

@@ -15,6 +15,22 @@ static void gravity(const World* world, Overrides* sets) {
         overrides_add(sets, "gravity=0");
 }
 
+static void contacts_self(const World* world, Overrides* sets) {
+    if (world->def.contacts.self)
+        overrides_add(sets, "contacts.self=false");
+}
+
+static void contacts_others(const World* world, Overrides* sets) {
+    if (world->def.contacts.others && world->balloon_count > 1)
+        overrides_add(sets, "contacts.others=false");
+}
+
+static void contacts_friction(const World* world, Overrides* sets) {
+    const SkinContacts* contacts = &world->def.contacts;
+    if ((contacts->self || contacts->others) && contacts->friction > 0)
+        overrides_add(sets, "contacts.friction=0");
+}
+
 static double mass_of(const Body* body) {
     double sum = 0;
     for (int i = 0; i < body->count; i++)
@@ -97,6 +113,9 @@ static const NeedsPart part_table[] = {
     {"floor",       "without it",                        .key = "floor"},
     {"walls",       "without them",                      .key = "walls"},
     {"things",      "without them",                      .key = "things"},
+    {"contacts.self",     "a skin passes through itself",      .simplify = contacts_self},
+    {"contacts.others",   "skins pass through each other",     .simplify = contacts_others},
+    {"contacts.friction", "skins slide on each other",         .simplify = contacts_friction},
     {"spheres",     "without them",                      .key = "spheres"},
     {"friction",    "without it",                        .key = "spheres.*.friction"},
     {"restitution", "without it",                        .key = "spheres.*.restitution"},
