@@ -30,13 +30,13 @@ static bool begins_with(const Contact* c, const Body* body) {
     return c->node[0].position >= body->x && c->node[0].position < body->x + body->count;
 }
 
-/// The nearest point of a contact's first side, or of its second one.
+/// Where a contact's impulse acts on its first side, or on its second one.
 static double4 point_of(const Contact* c, bool first) {
     double4 x = {0};
     for (int k = 0; k < c->node_count; k++)
         if ((c->node[k].weight > 0) == first)
             x += fabs((double)c->node[k].weight) * to_double4(*c->node[k].position);
-    return x;
+    return first && c->lever_count > 0 ? x + to_double4(c->lever[0].arm) : x;
 }
 
 /// What a contact gives to particles that things hold.
@@ -67,7 +67,8 @@ void reaction_add_contacts(Contacts* contacts) {
             continue;
         const int thing = c->side[1] - first_thing;
         const bool first = begins_with(c, &contacts->thing[thing].body);
-        reaction_add(contacts, skin, thing, first ? impulse : -impulse, point_of(c, first));
+        // on the thing where it acts on what touches it: a gap apart, and no angular momentum is lost
+        reaction_add(contacts, skin, thing, first ? impulse : -impulse, point_of(c, !first));
     }
 }
 

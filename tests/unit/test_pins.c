@@ -136,6 +136,34 @@ static void a_wrung_balloon_pulls_on_both_ends_and_never_crosses(void** state) {
     world_close(&world);
 }
 
+/// A paddle that turns about the origin throws a free balloon: both momenta of the balloon change by what
+/// the paddle's force and moment say, in each step.
+static void a_turning_paddle_gives_what_its_columns_say(void** state) {
+    (void)state;
+    World world;
+    OPEN_TEXT(
+        &world, "step: 1e-3\ngravity: 0\n" BALLOON, "balloons.0.damping=~",
+        "balloons.0.position=[0.15, 0.215, 0]",
+        "things=[{model: box, size: [0.5, 0.02, 0.3], path: [{position: [0, 0, 0]}, {at: 0.2, "
+        "position: [0, 0, 0], rotation: [0, 30, 60]}]}]");
+    const char* const column[2][6] = {
+        {"balloon0.px", "balloon0.py", "balloon0.pz", "balloon0.lx", "balloon0.ly", "balloon0.lz"},
+        {"thing0.fx", "thing0.fy", "thing0.fz", "thing0.mx", "thing0.my", "thing0.mz"}};
+    double before[6] = {0}, moment = 0;
+    for (int n = 0; n < 250; n++) {
+        world_step(&world);
+        for (int k = 0; k < 6; k++) {
+            const double now = probe(&world, column[0][k]), load = probe(&world, column[1][k]);
+            assert_near(now - before[k], -load * world.step, TOLERANCE(1e-6, 1e-13));
+            before[k] = now;
+            moment = fmax(moment, fabs(load));
+        }
+    }
+    assert_less(0.1, moment);
+    assert_int_equal(exact_crossings(&world.balloon[0].body, &world.thing[0].body), 0);
+    world_close(&world);
+}
+
 static void a_sleeping_balloon_wakes_when_its_thing_moves(void** state) {
     (void)state;
     World world;
@@ -192,6 +220,7 @@ int main(void) {
         cmocka_unit_test(what_hangs_from_a_thing_pulls_with_its_weight),
         cmocka_unit_test(a_string_to_a_side_turns_the_thing),
         cmocka_unit_test(a_wrung_balloon_pulls_on_both_ends_and_never_crosses),
+        cmocka_unit_test(a_turning_paddle_gives_what_its_columns_say),
         cmocka_unit_test(a_sleeping_balloon_wakes_when_its_thing_moves),
         cmocka_unit_test(refused_pins_and_paths_are_said_in_one_sentence),
     };
