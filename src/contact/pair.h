@@ -72,6 +72,20 @@ static inline bool pair_bounces(double gap, double closing, double h, double lon
     return closing * h >= gap && closing > pair_min_bounce * longest;
 }
 
+/// [1] of the height of a bounce that may be lost because it begins before the ball has come down.
+static const double pair_early_share = 2e-4;
+static const double pair_min_drift = 0.01; ///< [1] of a drift that a hit may shorten it to
+
+/// [1] of the time to a hit: a drift that ends at it would have the bounce in it, or not, by rounding
+static const double pair_before_hit = 1 - 1e-4;
+
+/// A ball bounces at the start of the drift in which it hits, `gap` above the surface: there is less
+/// energy to lose than at the surface, so it rises by (1 - e^2) gap too high. Whether that counts, for
+/// a hit of this squared speed.
+static inline bool pair_bounces_early(double gravity, double e, double gap, double impact2) {
+    return 2 * gravity * (1 - e * e) * gap > pair_early_share * e * e * impact2;
+}
+
 /// Whether the contact is of a ball and a triangle, the corners of which are nodes 1 to 3.
 static inline bool pair_has_triangle(const Contact* contact) {
     return contact->lever_count == 1 && contact->node_count == CONTACT_NODES;

@@ -4,13 +4,8 @@ static double gap_of(const Plane* plane, const Sphere* ball) {
     return ddot(plane->normal, to_double4(ball->x) - plane->point) - (double)ball->radius;
 }
 
-/// [1] of the height of a bounce that may be lost because it begins before the ball has come down.
-static const double early_share = 2e-4;
-static const double min_drift = 0.01; ///< [1] of a drift that a hit may shorten it to
-
-/// A ball bounces at the start of the drift in which it hits, `gap` above the plane: there is less
-/// energy to lose than at the plane, so it rises by (1 - e^2) gap too high. Where that counts, a drift
-/// ends at the hit, the root of gap + w t - g t^2 / 2. At most h [s].
+/// Where the bounce would begin too high, a drift ends just before the hit, the root of
+/// gap + w t - g t^2 / 2. At most h [s].
 static double time_to_bounce(const Contacts* contacts, const Plane* plane, const Sphere* ball,
                              double gap, double h) {
     const double g = contacts->gravity * plane->normal[1], e = (double)ball->restitution;
@@ -20,10 +15,10 @@ static double time_to_bounce(const Contacts* contacts, const Plane* plane, const
     const double impact2 = w * w + 2 * g * gap; // squared speed of the hit
     if (!(e > 0 && gap > 0 && impact2 > 0))
         return h;
-    const double t = 2 * gap / (sqrt(impact2) - w);
-    const bool counts = 2 * g * (1 - e * e) * gap > early_share * e * e * impact2 &&
+    const double t = pair_before_hit * 2 * gap / (sqrt(impact2) - w);
+    const bool counts = pair_bounces_early(g, e, gap, impact2) &&
                         impact2 > pow(pair_min_bounce * fmax(t, contacts->drift), 2);
-    return t > min_drift * h && t < h && counts ? t : h;
+    return t > pair_min_drift * h && t < h && counts ? t : h;
 }
 
 static double safe_step(Contacts* contacts, double h) {

@@ -11,20 +11,35 @@ static const double core = 0.25;      ///< [radii] around the centre that no tri
 static const double slack = 0.05;     ///< [radii] added to the distance that speeds can close
 static const real bounce_kicks = 4;   ///< [kicks] slowest bounce: it lasts 8 substeps
 
+/// Off a thing a ball bounces as off a plane. Where the bounce would begin too high, it comes down to the
+/// thing in drifts that surely end before the hit. At most h [s].
+static double time_to_bounce(const Contacts* contacts, const Sphere* sphere, double gap,
+                             double speed, double h) {
+    const double e = (double)sphere->restitution;
+    const double t = gap > 0 ? pair_before_hit * gap / speed : 0;
+    const bool counts = e > 0 && pair_bounces_early(contacts->gravity, e, gap, speed * speed) &&
+                        speed > pair_min_bounce * fmax(t, contacts->drift);
+    return t > pair_min_drift * h && t < h && counts ? t : h;
+}
+
 /// Looks at the triangles only where the boxes do not rule the skin out.
-static double safe_step_to_skin(Contacts* contacts, ContactSkin* skin, Sphere* sphere, double h) {
+static double safe_step_to_skin(Contacts* contacts, int b, Sphere* sphere, double h) {
+    ContactSkin* skin = &contacts->skin[b];
     const double radius = (double)sphere->radius;
     const double speed = (double)length(sphere->v) +
                          contacts->gravity * contacts_fall_time(contacts, h) + skin->fastest;
     const double reach = radius + speed * h;
-    if (speed * h <= pair_max_overlap * radius ||
+    const bool bounces = contacts_thing(contacts, b) && sphere->restitution > 0 &&
+                         speed > pair_min_bounce * contacts->drift;
+    if ((speed * h <= pair_max_overlap * radius && !bounces) ||
         broad_phase_box_distance(skin, to_double4(sphere->x)) >= reach)
         return h;
     broad_phase_refit(skin);
     if (broad_phase_box_distance(skin, to_double4(sphere->x)) >= reach)
         return h;
-    const double distance = broad_phase_distance(contacts, skin, sphere, reach);
-    return pair_safe_time(h, distance - radius, radius, speed);
+    const double gap = broad_phase_distance(contacts, skin, sphere, reach) - radius;
+    h = pair_safe_time(h, gap, radius, speed);
+    return bounces ? time_to_bounce(contacts, sphere, gap, speed, h) : h;
 }
 
 /// How far the skin's particles may have come since the last refit. Corrections after the drift
@@ -39,10 +54,9 @@ static double safe_step(Contacts* contacts, double h) {
     if (contacts->sphere_count == 0)
         return h;
     for (int b = 0; b < contacts->skin_count; b++) {
-        ContactSkin* skin = &contacts->skin[b];
-        bound_motion(contacts, skin);
+        bound_motion(contacts, &contacts->skin[b]);
         for (int s = 0; s < contacts->sphere_count; s++)
-            h = safe_step_to_skin(contacts, skin, &contacts->sphere[s], h);
+            h = safe_step_to_skin(contacts, b, &contacts->sphere[s], h);
     }
     return h;
 }

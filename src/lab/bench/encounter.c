@@ -116,7 +116,8 @@ static void draw_balloon(Encounter* encounter, Random* random, const Drawn* draw
     if (!rubber)
         add_text(encounter, ", mass: {per_particle: %.3g}", draw_between(random, 5e-5, 3e-4));
     const double gas = random_next(random), amount = draw_between(random, 0.95, 1.05);
-    if (strcmp(name, "bowl.obj") != 0 && gas < 0.7) // else it is empty, and may be crushed
+    const bool encloses = strcmp(name, "bowl.obj") != 0 && !strstr(name, "pillow"); // it is flat
+    if (encloses && gas < 0.7) // else it is empty, and may be crushed
         add_text(encounter, ", inflation: {law: gas, amount: %.4f}", amount);
     add_text(encounter, "}, ");
 }
