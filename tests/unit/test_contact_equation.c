@@ -65,7 +65,8 @@ static void springs_rest_on_the_floor(void** state) {
 }
 
 /// Two balls of 1 kg hit a round balloon of twice its gas from both sides: the deepest pole is at
-/// 0.0973 m, and they leave no faster than they came. Backward Euler loses some of their speed.
+/// 0.0973 m, and they leave no faster than they came. Backward Euler loses some of their speed: 4.5 % by
+/// (1 + w^2 h^2)^(-1/2) a step of their half period alone.
 static void balls_leave_no_faster_than_they_came(void** state) {
     (void)state;
     static const char text[] =
@@ -98,9 +99,9 @@ static void balls_leave_no_faster_than_they_came(void** state) {
         lowest = fmin(lowest, probe(&world, "sphere0.y") - 0.05);
         fastest = fmax(fastest, probe(&world, "sphere0.vy"));
     }
-    assert_near(lowest, 0.0973, 0.03 * 0.0973);
+    assert_near(lowest, 0.0973, 0.015 * 0.0973);
     assert_less(fastest, 0.4);
-    assert_less(0.25, fastest);
+    assert_less(0.34, fastest);
     assert_near(probe(&world, "sphere1.vy"), -probe(&world, "sphere0.vy"), 0.01);
     assert_int_equal(world.contacts.pass_throughs, 0);
     world_close(&world);
