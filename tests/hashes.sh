@@ -9,8 +9,8 @@
 #   hashes.sh renew BUILD       write the table anew, after a change of bits on purpose
 #
 # A scene runs for 1 s by its own method, or 0.3 s by Newton's, whose steps depend on all
-# particles of the last one; for 0.02 s, or a step where that is longer, by each other method. THREADS: threads of
-# each run, 1; JOBS: runs side by side.
+# particles of the last one; for 0.02 s by each other method. THREADS: threads of each run, 1; JOBS:
+# runs side by side.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=$1

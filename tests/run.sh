@@ -53,7 +53,7 @@ export -f one tell
 is_left_out() {
     [ -n "${SHORT:-}" ] || return 1
     case $1 in
-        */test_scenes | tests/cli/test_chart.sh | tests/cli/test_stability.sh) ;;
+        */test_scenes | */test_encounters | tests/cli/test_chart.sh | tests/cli/test_stability.sh) ;;
         *) return 1 ;;
     esac
     echo "left out $1: SHORT" | tee -a "$logs/left_out" >&2
