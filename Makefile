@@ -66,6 +66,8 @@ READERS   := base/% mesh/% scene/% cli/% world/record.%
 COVERAGE  :=
 # the sources for stepping a world, without the programs
 STEPPING  := $(filter-out $(addprefix src/,lab/% view/% draw/% hud/% show/% cli/%),$(SOURCES))
+# the many test programs are linked in a third of the time where there is gold
+GOLD    := $(if $(shell command -v ld.gold),-fuse-ld=gold)
 ONLY    ?=
 UNIT     := $(basename $(notdir $(wildcard tests/unit/test_*$(ONLY)*.c)))
 SCENE   ?=
@@ -257,7 +259,7 @@ $$(BUILD)/$(1)/tests/%.o: tests/unit/%.c
 
 $$(BUILD)/$(1)/tests/%: $$(BUILD)/$(1)/tests/%.o $$(BUILD)/$(1)/libballoon.a
 	@echo "  $$@"
-	@$$(CXX) $$(EXTRA) $$(link_flags) $$^ $$(bullet_$(1)) $$(libraries) -lcmocka -o $$@
+	@$$(CXX) $$(EXTRA) $$(GOLD) $$(link_flags) $$^ $$(bullet_$(1)) $$(libraries) -lcmocka -o $$@
 
 # one test counts allocations
 $$(BUILD)/$(1)/tests/test_allocation: link_flags := $$(foreach f,malloc calloc realloc aligned_alloc,-Wl,--wrap=$$f)
