@@ -167,10 +167,22 @@ static double pressure_between(const Inflation* inflation, double p, const doubl
     return gas_pressure(&gas, (volume[0] + volume[1]) / 2);
 }
 
+/// Pressure that the gas of this step adds at the mean volume.
+static double entered_pressure(const Inflation* inflation, const double volume[2],
+                               double amount_before) {
+    if (inflation->law != INFLATE_GAS)
+        return 0;
+    Inflation before = *inflation;
+    before.amount = amount_before;
+    const double mean = (volume[0] + volume[1]) / 2;
+    return gas_pressure(inflation, mean) - gas_pressure(&before, mean);
+}
+
 /// Work of the pressure over the step [J], from the saved state to the present one, while the
-/// amounts of gas change evenly.
-static double pressure_work(World* world) {
+/// amounts of gas change evenly; *doubt: by how much it may be another, as they do not (energy_watch.h).
+static double pressure_work(World* world, double* doubt) {
     double sum = 0;
+    *doubt = 0;
     for (int b = 0; b < world->balloon_count; b++) {
         const Balloon* balloon = &world->balloon[b];
         const Body* body = &balloon->body;
@@ -186,6 +198,9 @@ static double pressure_work(World* world) {
         const double middle =
             pressure_between(&body->inflation, mean, volume, balloon->amount_before);
         sum += (first + 4 * middle + after) / 6 * (volume[1] - volume[0]);
+        *doubt += fabs(entered_pressure(&body->inflation, volume, balloon->amount_before) *
+                       (volume[1] - volume[0])) /
+                  2;
     }
     return sum;
 }
@@ -206,8 +221,9 @@ static Balance measure_balance(World* world) {
     world->watch.since_measure = 0;
     const double forces = after.forces - before.forces;
     const double separation = contacts->separation_work - world->watch.separation_work;
-    const double work = pressure_work(world) + separation;
-    return (Balance){.gain = after.kinetic - before.kinetic + forces - work,
+    double doubt;
+    const double work = pressure_work(world, &doubt) + separation;
+    return (Balance){.gain = after.kinetic - before.kinetic + forces - work - doubt,
                      .turnover = before.stored + fabs(forces) + fabs(work)};
 }
 

@@ -3,6 +3,8 @@
 ///     gain   = K' - K + sum of (E' - E) over forces with an energy - work                    [J]
 ///     work   = integral of p dV over the step, Simpson's rule, of gas that enters evenly,
 ///              and what contacts give to undo rigid overlaps                                     [J]
+///     doubt  = half of what that integral changes by if all gas enters at the step's start, or at
+///              its end: a skin at rest gives way late, V - V0 ~ t^3, and the gain is less by it  [J]
 ///     stored = K + elastic energy + p^2 V / (2 ambient), the gas's energy above the air's    [J]
 ///     turnover = stored before + |sum of (E' - E)| + |work|                                  [J]
 ///
