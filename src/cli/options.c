@@ -136,6 +136,10 @@ static const Option* read_option(int argc, char** argv, int* a, Options* options
     if (!good)
         return NULL;
     const char* value = !option->value ? NULL : equals ? equals + 1 : argv[++*a];
+    if (value && !value[0]) {
+        fault_set(fault, option->name, "needs a value: %s", option->value);
+        return NULL;
+    }
     return apply_option(options, option, value, fault) ? option : NULL;
 }
 
@@ -165,8 +169,13 @@ bool options_read(int argc, char** argv, Options* options, const Verb** verb, Fa
             used[option - option_table] = true;
         } else if (!*verb && !options->target && verb_find(argv[a])) {
             *verb = verb_find(argv[a]);
-        } else if (options->target) {
+        } else if (options->target && *verb) {
             return fault_set(fault, argv[a], "only one scene or mesh at a time");
+        } else if (options->target) {
+            return fault_set(fault, argv[a],
+                             "only one scene or mesh at a time; if '%s' is to be a verb, there is "
+                             "none of that name, see balloon --help",
+                             options->target);
         } else {
             options->target = argv[a];
         }

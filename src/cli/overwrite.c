@@ -54,6 +54,28 @@ static bool is_same(const char* a, const char* b) {
            one.st_dev == other.st_dev && one.st_ino == other.st_ino;
 }
 
+static bool stat_folder(const char* path, struct stat* about) {
+    char folder[1024];
+    const char* slash = strrchr(path, '/');
+    return snprintf(folder, sizeof folder, "%.*s.", slash ? (int)(slash - path) + 1 : 0, path) <
+               (int)sizeof folder &&
+           stat(folder, about) == 0;
+}
+
+static const char* name_within_folder(const char* path) {
+    const char* slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/// Whether the two lead to one file, which need not be there yet. Not for a device.
+static bool is_one_file(const char* a, const char* b) {
+    struct stat one, other;
+    if (!a || !b || stat(a, &one) == 0)
+        return is_same(a, b);
+    return strcmp(name_within_folder(a), name_within_folder(b)) == 0 && stat_folder(a, &one) &&
+           stat_folder(b, &other) && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+}
+
 static bool may_write(const Options* options, const Target* target, Fault* fault) {
     if (!target->path || strcmp(target->path, "-") == 0)
         return true;
@@ -90,11 +112,16 @@ bool overwrite_allowed(const Options* options, Fault* fault) {
         {"--csv", options->csv, "t,balloon0."},
         {"--mesh", options->mesh, RUN_OBJ_MARK},
         {"--record", options->record, RECORD_MARK},
+        {"--out", options->out, NULL}, // overwrite_allows_pictures looks at what is there
     };
-    if (options->overwrite)
-        return true;
-    for (size_t k = 0; k < sizeof target_table / sizeof *target_table; k++)
-        if (!may_write(options, &target_table[k], fault))
+    enum { TARGETS = sizeof target_table / sizeof *target_table };
+    for (int k = 0; k < TARGETS; k++)
+        for (int other = 0; other < k; other++)
+            if (is_one_file(target_table[k].path, target_table[other].path))
+                return fault_set(fault, target_table[k].option, "%s is written by %s, too",
+                                 target_table[k].path, target_table[other].option);
+    for (int k = 0; !options->overwrite && k < TARGETS; k++)
+        if (target_table[k].mark && !may_write(options, &target_table[k], fault))
             return false;
     return true;
 }

@@ -2,7 +2,7 @@
 ///
 /// A file that it made itself, which its first bytes or its comment show, is written anew without a
 /// question; so is an empty one, and a device. One that it did not make, or that the same command
-/// reads, is written over only with --overwrite.
+/// reads, is written over only with --overwrite. Two outputs never go to one file.
 #ifndef BALLOON_CLI_OVERWRITE_H
 #define BALLOON_CLI_OVERWRITE_H
 

@@ -7,6 +7,8 @@
 #include "show/run.h"
 #include "show/show.h"
 
+enum { SIDE_MIN = 16, SIDE_MAX = 16384 }; ///< of a picture [pixels]
+
 static bool show_options(const Options* options, const Sets* sets, const World* world, Ghost* ghost,
                          ShowOptions* show, Fault* fault) {
     *show = show_options_default();
@@ -25,8 +27,11 @@ static bool show_options(const Options* options, const Sets* sets, const World* 
     char rest;
     if (options->size &&
         (sscanf(options->size, "%5dx%5d%c", &show->width, &show->height, &rest) != 2 ||
-         show->width < 16 || show->height < 16 || show->width > 16384 || show->height > 16384))
-        return fault_set(fault, "--size", "'%s' is not a size such as 1280x720", options->size);
+         show->width < SIDE_MIN || show->height < SIDE_MIN || show->width > SIDE_MAX ||
+         show->height > SIDE_MAX))
+        return fault_set(fault, "--size",
+                         "'%s' is not a size such as 1280x720; each side is %d to %d pixels",
+                         options->size, SIDE_MIN, SIDE_MAX);
     return cli_times(options, world, &show->seconds, &show->fps, fault);
 }
 

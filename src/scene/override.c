@@ -117,7 +117,8 @@ static bool may_add(const Put* put, int parent, const char* part, size_t length)
         return fault_set(put->fault, put->location, "%.*s is one value and has no keys",
                          whole_length, whole);
     if (node->type == YAML_SEQUENCE_NODE)
-        return fault_set(put->fault, put->location, "%.*s has no item '%.*s'; it has %d, from 0",
+        return fault_set(put->fault, put->location,
+                         "%.*s has no item '%.*s'; it is a list of %d, counted from 0",
                          whole_length, whole, (int)length, part,
                          (int)(node->data.sequence.items.top - node->data.sequence.items.start));
     if (part[length] == '.' && strchr("0123456789", part[length + 1]) && part[length + 1])

@@ -145,9 +145,10 @@ static const Rule rule_table[] = {
     {"strings", "`at` must be nearest, lowest, highest or the number of a particle",
      tied_at_no_particle},
     {"strings", "a string leads to one end: give to, to_balloon, to_knot or to_thing", tied_twice},
-    {"strings", "to_balloon is the number of another balloon, to_knot and to_thing those of the scene's "
-                "`knots` and `things`, from 0", tied_to_none},
-    {"pins", "to_thing is the number of one of the scene's `things`, from 0", pinned_to_none},
+    {"strings", "a string leads to nothing: to_balloon must be the number of another balloon, to_knot that of one "
+                "of the scene's `knots`, to_thing that of one of its `things`, each counted from 0", tied_to_none},
+    {"pins", "a pin leads to nothing: to_thing must be the number of one of the scene's `things`, counted from 0",
+     pinned_to_none},
     {"strain_limit", "a strain limit needs springs", limited_without_springs},
     {"inflation", "ambient, unit, temperature, adiabatic, filling, leak and vent are for the law gas",
      gas_words_without_gas},

@@ -66,7 +66,7 @@ static bool folder_add(Frames* frames, Fault* fault) {
 static bool folder_close(Frames* frames, bool complete, Fault* fault) {
     (void)fault;
     if (complete && !frames->def.quiet)
-        printf("%ld frames in %s\n", frames->done, frames->def.out);
+        printf("%ld frame%s in %s\n", frames->done, frames->done == 1 ? "" : "s", frames->def.out);
     return complete;
 }
 
@@ -103,7 +103,7 @@ static bool film_add(Frames* frames, Fault* fault) {
 static bool film_close(Frames* frames, bool complete, Fault* fault) {
     complete = video_close(&frames->video, complete, fault);
     if (complete && !frames->def.quiet)
-        printf("%ld frames in %s\n", frames->done, frames->def.out);
+        printf("%ld frame%s in %s\n", frames->done, frames->done == 1 ? "" : "s", frames->def.out);
     return complete;
 }
 

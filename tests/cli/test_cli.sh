@@ -187,6 +187,9 @@ bad "display" env -u DISPLAY -u WAYLAND_DISPLAY "$balloon" party
 bad "EGL" env __EGL_VENDOR_LIBRARY_DIRS=/nonexistent "$balloon" render party --seconds 0.1 --out "$scratch/e"
 usage "no such option" "$balloon" run party --color red
 usage "needs a value" "$balloon" run party --seconds
+usage "^balloon: --csv: needs a value: FILE" "$balloon" run party --csv ""
+usage "if 'rendr' is to be a verb, there is none" "$balloon" rendr party
+bad "'8x8' is not a size .*; each side is 16 to 16384" "$balloon" render party --size 8x8
 usage "only one" "$balloon" run party tether
 bad "went bad in step" "$balloon" run fails/long-step
 # --- numbers out of the state's range, and counts out of an integer's
@@ -246,6 +249,9 @@ bad "kept.log is there and not made by balloon" "$balloon" advise tether --error
 ok "results of others stay" test "$(cat "$scratch"/results/* | sort -u)" = kept
 rm -r "$scratch/results"
 bad "log is read by this command" "$balloon" run party --input "$scratch/log" --record "$scratch/log"
+bad "^balloon: --record: .*/both is written by --csv, too" "$balloon" run cube --csv "$scratch/both" --record "$scratch/./both"
+bad "^balloon: --out: .*/both.png is written by --record, too" "$balloon" render cube --record "$scratch/both.png" --out "$scratch/both.png"
+ok "two results to a device" "$balloon" run cube "${small[@]::2}" --csv /dev/null --mesh /dev/null
 bad "t.obj is read by this command" "$balloon" run "$scratch/t.obj" --mesh "$scratch/t.obj"
 
 # --- a run of a scene without outputs says that it ended, unless an output was requested

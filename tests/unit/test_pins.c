@@ -184,8 +184,9 @@ static void refused_pins_and_paths_are_said_in_one_sentence(void** state) {
         const char *set, *words;
     } refused[] = {
         {"balloons.0.pins=[{at: [0, 0.2, 0], radius: 0.1, to_thing: 1}]",
-         "to_thing is the number of one of the scene's `things`, from 0"},
-        {"balloons.0.strings=[{to_thing: 1, stiffness: 1}]", "to_knot and to_thing those of"},
+         "to_thing must be the number of one of the scene's `things`, counted from 0"},
+        {"balloons.0.strings=[{to_thing: 1, stiffness: 1}]",
+         "to_thing that of one of its `things`"},
         {"balloons.0.strings=[{to_thing: 0, to: [0, 0, 0], stiffness: 1}]", "leads to one end"},
         {"balloons.0.strings=[{to_thing: 0, to_at: 9999, stiffness: 1}]", "box has points 0 to"},
         {"balloons.0.pins=[{at: [0, 0.4, 0], radius: 0.1}]",

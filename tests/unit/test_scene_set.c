@@ -83,7 +83,7 @@ static void what_an_override_does_wrong_is_said_of_it(void** state) {
         {"=3",                    "this is not KEY=VALUE"},
         {"",                      "this is not KEY=VALUE"},
         {"step.foo=3",            "step is one value and has no keys"},
-        {"balloons.1.scale=3",    "balloons has no item '1'; it has 1, from 0"},
+        {"balloons.1.scale=3",    "balloons has no item '1'; it is a list of 1, counted from 0"},
         {"balloons.-1.scale=3",   "balloons has no item '-1'"},
         {"balloons.00x.scale=3",  "balloons has no item '00x'"},
         {"balloons.99999999999999999999=3", "balloons has no item '99999999999999999999'"},
