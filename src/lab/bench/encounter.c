@@ -12,7 +12,7 @@ static const double half = 0.5; ///< balloons begin within this of the origin al
 static const double speed_max = 50;   ///< [m/s]
 static const double pressed = 0.02;   ///< distance of the plates when they are nearest [m]
 static const double plates_at = 0.85; ///< where they begin [m]
-static const double afterward = 0.3;  ///< how long an encounter goes on [s]
+static const double afterward = 0.3;  ///< how long it goes on, once plates have opened again [s]
 
 static const char* const simple_model[] = {"icosphere:2", "icosphere:1", "cube-sphere:5",
                                            "torus:12x6", "pillow:8"};

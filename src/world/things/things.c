@@ -21,8 +21,8 @@ static void box_of(const Mesh* mesh, double4* middle, double4* side) {
     *side = high - low;
 }
 
-/// Height of a point of the capsule of radius 1 and length 4 where its size is another and its ends
-/// stay round.
+/// Height of a point of the shape `capsule` (radius 1, length 4) when it is stretched to `size` with
+/// ends that stay round.
 static double capsule_height(double y, const double size[3]) {
     const double diameter = fmin(size[1], fmax(size[0], size[2]));
     const double straight = (size[1] - diameter) / 2, cap = fabs(y) - 1;
