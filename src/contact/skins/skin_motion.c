@@ -13,11 +13,20 @@ static double middle_of(const Extent* extent, double4* middle) {
     return 0.5 * dlength(high - low);
 }
 
+/// Lane by lane, without a branch: the lower, b where one is not a number.
+static real4 lower(real4 a, real4 b) {
+    const __typeof__(a < b) less = a < b;
+    return (real4)((less & (__typeof__(less))a) | (~less & (__typeof__(less))b));
+}
+
+static real4 higher(real4 a, real4 b) {
+    const __typeof__(a > b) more = a > b;
+    return (real4)((more & (__typeof__(more))a) | (~more & (__typeof__(more))b));
+}
+
 static void widen(Extent* extent, real4 a) {
-    for (int k = 0; k < 3; k++) {
-        extent->low[k] = a[k] < extent->low[k] ? a[k] : extent->low[k];
-        extent->high[k] = a[k] > extent->high[k] ? a[k] : extent->high[k];
-    }
+    extent->low = lower(a, extent->low);
+    extent->high = higher(a, extent->high);
 }
 
 /// How much longer a box has become along each axis, less 1.
@@ -42,15 +51,13 @@ static SkinMotion motion_of(const TouchingSkin* skin, const Body* body, double a
         widen(&before, from[i]);
     }
     const real4 stretch = stretch_of(&now, &before);
-    Extent way, rest;
-    for (int i = 0; i < body->count; i++) {
-        const real4 d = body->x[i] + h * body->v[i] - from[i], r = d - stretch * from[i];
-        if (i == 0) {
-            way = (Extent){d, d};
-            rest = (Extent){r, r};
-        }
+    const real4 first = body->x[0] + h * body->v[0] - from[0],
+                first_rest = first - stretch * from[0];
+    Extent way = {first, first}, rest = {first_rest, first_rest};
+    for (int i = 1; i < body->count; i++) {
+        const real4 d = body->x[i] + h * body->v[i] - from[i];
         widen(&way, d);
-        widen(&rest, r);
+        widen(&rest, d - stretch * from[i]);
     }
     SkinMotion motion = skin->reference_motion;
     double4 middle;
