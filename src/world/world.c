@@ -147,13 +147,18 @@ static bool is_over(const World* world) {
     return world->blowup.halted || interrupt_signal();
 }
 
+/// Whether the equation of the kick that failed contains contacts.
+static bool contains_contacts(const World* world) {
+    return world->method->kick_group && world->contacts.contact_count > 0;
+}
+
 /// The longest kick, at most h, for an equation without its contacts, which then change the velocities.
 /// At that length an explicit step is stable; a drift by other velocities than those of a longer solve
 /// would stretch what is stiff, and gain energy. [s]
 static double longest_without_contacts(const World* world, double h) {
     int body;
-    const bool had_contacts = world->method->kick_group && world->contacts.contact_count > 0;
-    return had_contacts ? fmin(h, guard_bound(&method_euler, &world->system, &body)) : h;
+    return contains_contacts(world) ? fmin(h, guard_bound(&method_euler, &world->system, &body))
+                                    : h;
 }
 
 /// Kick by h, or by the first half, quarter … of h that the method can solve. Returns the length of
@@ -165,15 +170,18 @@ static double kick(World* world, double h, double whole, double* drift) {
         notice_factored(world, h);
         if (interrupt_signal())
             return 0;
-        if (h < whole / SPLITS_MAX) {
+        const int unsolved = world->system.unsolved_in_row;
+        const bool may_leave_out = contains_contacts(world) && unsolved <= UNSOLVED_MAX + 1;
+        if (h < whole / SPLITS_MAX && !may_leave_out) {
             blowup_unsolved(world, world->system.unsolved, h);
             return 0;
         }
-        h = world->system.unsolved_in_row == UNSOLVED_MAX + 1
-                ? longest_without_contacts(world, first)
-                : h / 2;
+        const bool leaves_out = unsolved == UNSOLVED_MAX + 1;
+        h = leaves_out ? longest_without_contacts(world, first) : h / 2;
         *drift = fmin(safe, h);
         world->solvable = h / whole;
+        if (leaves_out && contains_contacts(world))
+            world->solvable = longest_without_contacts(world, whole) / whole;
         if (h * SPLITS_SLOW <= whole && 2 * h * SPLITS_SLOW > whole)
             snprintf(world->notice, sizeof world->notice,
                      "method '%s' does not solve step %ld in less than %d parts, which is slow",

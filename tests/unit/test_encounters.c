@@ -61,7 +61,7 @@ static void crushed_skins_that_tumble_cross_nothing(void** state) {
 /// The long form is `balloon bench encounters`.
 static void random_encounters_cross_nothing(void** state) {
     (void)state;
-    const uint64_t seed[] = {2, 6, 8, 9, 10, 11};
+    const uint64_t seed[] = {6, 8, 10, 11, 36};
     for (size_t k = 0; k < sizeof seed / sizeof *seed; k++) {
         Encounter encounter;
         Fault fault = {0};
