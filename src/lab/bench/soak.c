@@ -1,7 +1,8 @@
 /// A soak test with a user's input: random keys and throws for a simulated hour, applied to two
 /// copies of a scene; the input log is written. Both copies must reach the same state to the bit,
 /// no ball may pass through a skin, no scene may halt, and the memory of the process must not grow
-/// in the second half hour: until then lists still reach the lengths of the fullest moment.
+/// after ten minutes. The hour begins with a volley of more balls than throws one by one bring
+/// together (17), so that no list becomes longer later.
 #include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -17,7 +18,8 @@ enum {
     COPIES = 2,
     ROWS = 60,
     QUICK_ROWS = 2,
-    SETTLED_ROW = 30, ///< from this row on the memory may no longer grow
+    VOLLEY = 60,
+    SETTLED_ROW = 10, ///< from this row on the memory may no longer grow
 };
 
 static const double row_seconds[] = {60, 1}; ///< simulated, of a full and of a quick row [s]
@@ -25,6 +27,8 @@ static const double press_seconds = 0.5;     ///< from a press, with a throw, to
 static const double reset_share = 0.02;   ///< share of the drawn presses of reset that are made [1]
 static const double ball_size = 0.05;     ///< radius of the smallest ball, of a balloon's size [1]
 static const double max_speed = 100;      ///< [m/s]
+static const double volley_speed = 10;    ///< [m/s]
+static const double volley_seconds = 6;   ///< simulated
 static const double memory_growth = 0.01; ///< maximum relative growth of the memory [1]
 
 /// The default scene, and the heaviest one that a core steps in real time.
@@ -118,13 +122,13 @@ static bool press_next(Soak* soak, Fault* fault) {
     return set_key(soak, true, fault);
 }
 
-/// Throw a ball of random size, mass and speed from outside at a random particle of a balloon.
-static bool throw_next(Soak* soak, Fault* fault) {
+/// Throw a ball of this radius, of the balloon's size, and speed from outside at a random particle of
+/// a balloon.
+static bool throw_ball(Soak* soak, double size, double speed, Fault* fault) {
     const World* world = &soak->world[0];
     Random* random = &soak->random;
     const Body* body = &world->balloon[(int)(random_next(random) * world->balloon_count)].body;
-    const double radius = body->size * ball_size * pow(8, random_next(random));
-    const double speed = max_speed * pow(100, -random_next(random));
+    const double radius = body->size * size;
     double4 d = {0};
     for (int k = 0; k < 3; k++)
         d[k] = 2 * random_next(random) - 1;
@@ -145,12 +149,18 @@ static bool throw_next(Soak* soak, Fault* fault) {
     return apply(soak, &event, fault);
 }
 
-/// Step both copies for some simulated time and compare their states.
-static bool play(Soak* soak, double seconds, Fault* fault) {
+static bool throw_next(Soak* soak, Fault* fault) {
+    const double size = ball_size * pow(8, random_next(&soak->random));
+    return throw_ball(soak, size, max_speed * pow(100, -random_next(&soak->random)), fault);
+}
+
+/// Step both copies for some simulated time, pressing and throwing or not, and compare their states.
+static bool play(Soak* soak, double seconds, bool pressing, Fault* fault) {
     World* world = soak->world;
     const long steps = lround(seconds / world->step), every = lround(press_seconds / world->step);
     for (long n = 0; n < steps; n++) {
-        if (world->clock % every == 0 && !(press_next(soak, fault) && throw_next(soak, fault)))
+        if (pressing && world->clock % every == 0 &&
+            !(press_next(soak, fault) && throw_next(soak, fault)))
             return false;
         for (int k = 0; k < COPIES; k++)
             world_step(&world[k]);
@@ -165,6 +175,14 @@ static bool play(Soak* soak, double seconds, Fault* fault) {
     return true;
 }
 
+/// Large balls at one speed, which arrive together; then time for them to press, and to go.
+static bool play_volley(Soak* soak, Fault* fault) {
+    for (int n = 0; n < VOLLEY; n++)
+        if (!throw_ball(soak, 8 * ball_size, volley_speed, fault))
+            return false;
+    return play(soak, volley_seconds, false, fault);
+}
+
 /// The largest memory of the process so far [bytes].
 static double peak_memory(void) {
     struct rusage usage;
@@ -174,7 +192,7 @@ static double peak_memory(void) {
 
 static bool soak_row(Soak* soak, int row, double seconds, Fault* fault) {
     const clock_t start = clock();
-    if (!play(soak, seconds, fault))
+    if (!play(soak, seconds, true, fault))
         return false;
     const double memory = peak_memory();
     if (row <= SETTLED_ROW)
@@ -199,7 +217,7 @@ static bool measure(const BenchOptions* options, Fault* fault) {
         if (options->only && !strstr(scene_table[k], options->only))
             continue;
         Soak soak;
-        good = open_copies(&soak, scene_table[k], options->out, fault);
+        good = open_copies(&soak, scene_table[k], options->out, fault) && play_volley(&soak, fault);
         const int rows = options->quick ? QUICK_ROWS : ROWS;
         for (int row = 1; good && row <= rows; row++)
             good = soak_row(&soak, row, row_seconds[options->quick], fault);
