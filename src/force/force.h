@@ -71,10 +71,6 @@ typedef struct Force {
     /// Its energy is stored in the skin or its strings, and counts in the output `elastic`.
     bool elastic;
 
-    /// Its stiffness grows without limit as an element is compressed: the bound on the step may
-    /// fall by any factor between two checks.
-    bool stiffens;
-
     /// It acts from outside. Total force and torque of every other row vanish on a free balloon,
     /// which tests/unit/test_force.c holds.
     bool external;

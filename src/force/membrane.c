@@ -93,5 +93,4 @@ const Force force_membrane = {
     .stencils = stencils,
     .assemble = assemble,
     .elastic = true,
-    .stiffens = true,
 };

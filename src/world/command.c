@@ -249,6 +249,7 @@ static bool throw(World * world, const Event* event, Fault* fault) {
 
 bool world_event(World* world, const Event* event, Fault* fault) {
     rest_wake_all(world);
+    world->watch.touched = true;
     switch (event->kind) {
         case EVENT_THROW:
             return throw(world, event, fault);

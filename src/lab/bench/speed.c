@@ -20,7 +20,7 @@
 #include "lab/truth/truth.h"
 #include "world/probe.h"
 
-enum { ROUNDS = 41, ROUNDS_QUICK = 9, SETS = 4, PEER_ROUNDS = 1 };
+enum { ROUNDS = 41, ROUNDS_QUICK = 9, SETS = 5, PEER_ROUNDS = 1 };
 enum { STREAM = 1 << 24 }; ///< length of each array: far more than a cache holds
 
 /// Sides of cube-spheres; 6 side^2 + 2 particles.
@@ -153,11 +153,13 @@ static void step_peer(void* self) {
     peer_step(step->peer, step->h);
 }
 
-static bool open_case(const SpeedCase* c, int side, World* world, Fault* fault) {
+static const char split[] = "guard=split"; ///< the default
+
+static bool open_case(const SpeedCase* c, int side, const char* guard, World* world, Fault* fault) {
     char model[64], step[64];
     snprintf(model, sizeof model, "balloons.0.model=cube-sphere:%d", side);
     snprintf(step, sizeof step, "step=%.17g", c->step / side);
-    const SceneSet set[SETS] = {{model}, {step}, {c->set}, {"seconds=1"}};
+    const SceneSet set[SETS] = {{model}, {step}, {c->set}, {"seconds=1"}, {guard}};
     WorldDef def;
     return scene_load(c->scene, set, SETS, &def, fault) && world_open(world, &def, fault);
 }
@@ -177,11 +179,43 @@ static void measure_threads(Figures* figures, const char* name, World* world) {
         scaled(times_of(second, ROUNDS), 1e6), 0);
 }
 
+/// What the energy watch adds to a step: `guard: stop` looks at the bound alike, and watches nothing.
+/// Both copies step in turn, so that other processes disturb them alike.
+static bool measure_watch(Figures* figures, const SpeedCase* c, int side, int rounds,
+                          Fault* fault) {
+    static const char* const guard[] = {split, "guard=stop"};
+    World world[2];
+    double share[ROUNDS], min[2] = {INFINITY, INFINITY};
+    for (int k = 0; k < 2; k++)
+        if (!open_case(c, side, guard[k], &world[k], fault))
+            return false;
+    const Times one = time_steps(step_world, &world[0], 1);
+    const int steps = 1 + (int)(round_seconds / one.minimum);
+    time_steps(step_world, &world[1], 1);
+    for (int r = 0; r < rounds; r++) {
+        double second[2];
+        for (int k = 0; k < 2; k++) {
+            const int copy = (k + r) % 2;
+            const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
+            for (int n = 0; n < steps; n++)
+                world_step(&world[copy]);
+            second[copy] = clock_seconds(CLOCK_THREAD_CPUTIME_ID) - start;
+            min[copy] = fmin(min[copy], second[copy]);
+        }
+        share[r] = 100 * (second[0] / second[1] - 1);
+    }
+    add(figures, c->name, world[0].balloon[0].body.count, "energy watch", "%",
+        (Times){100 * (min[0] / min[1] - 1), median(share, rounds)}, 0);
+    for (int k = 0; k < 2; k++)
+        world_close(&world[k]);
+    return true;
+}
+
 static bool measure_case(Figures* figures, const SpeedCase* c, int side, const Machine* machine,
                          int rounds, Fault* fault) {
     const double before = memory_now();
     World world;
-    if (!open_case(c, side, &world, fault))
+    if (!open_case(c, side, split, &world, fault))
         return false;
     const Body* body = &world.balloon[0].body;
     const int n = body->count, parts = body->springs.count + body->membrane.count;
@@ -252,7 +286,7 @@ static bool measure_load(Figures* figures, bool quick, Fault* fault) {
     snprintf(path, sizeof path, "%s/skin.obj", folder);
     FILE* out = made ? fopen(path, "w") : NULL;
     World world;
-    if (!out || !open_case(&case_table[0], side, &world, fault))
+    if (!out || !open_case(&case_table[0], side, split, &world, fault))
         return fault_set(fault, path, "cannot be written");
     probe_obj(&world, out);
     fclose(out);
@@ -283,7 +317,9 @@ static bool measure(const BenchOptions* options, Fault* fault) {
     for (int c = 0; c < CASES; c++)
         for (int s = 0; good && s < (options->quick ? SIDES_QUICK : SIDES); s++)
             good = measure_case(options->figures, &case_table[c], side_table[s], &machine, rounds,
-                                fault);
+                                fault) &&
+                   (s > 1 ||
+                    measure_watch(options->figures, &case_table[c], side_table[s], rounds, fault));
     return good && measure_second(options->figures, fault) &&
            measure_load(options->figures, options->quick, fault);
 }

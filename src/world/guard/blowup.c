@@ -60,6 +60,7 @@ void blowup_save_state(World* world) {
     contacts_keep(&world->contacts);
     joints_keep(&world->system.joints);
     world->good_step = world->step_count;
+    world->watch.touched = false;
 }
 
 void blowup_take_back(World* world) {
@@ -256,8 +257,9 @@ void blowup_gained(World* world, double gain, double turnover) {
 
 void blowup_check(World* world) {
     const Bad bad = find_bad(world);
-    if (bad.cause)
-        halt_bad(world, &bad);
-    else if (world->step_count % GUARD_INTERVAL == 0)
+    if (bad.cause) {
+        if (!energy_watch_goes_back(world))
+            halt_bad(world, &bad);
+    } else if (world->step_count % GUARD_INTERVAL == 0)
         blowup_save_state(world);
 }

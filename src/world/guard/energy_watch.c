@@ -6,7 +6,11 @@
 #include "mesh/measure.h"
 #include "world/world.h"
 
-enum { MEASURE_INTERVAL = 1024 }; ///< [substeps]
+enum {
+    MEASURE_INTERVAL = 1024, ///< [substeps]
+    SCREEN_INTERVAL = 8,     ///< [substeps] of steps whose state is not saved
+    SUBSTEPS_SAVED = 2       ///< the state is saved before each step of so many substeps
+};
 
 /// GAIN: energy that a step may gain. [of its turnover]
 static const double gain_max = 0.1;
@@ -27,22 +31,12 @@ static bool body_has_energy(const Balloon* balloon) {
             (membrane->rubber.rule == VOLUME_LOCAL && !membrane->rubber.material->reads_thickness));
 }
 
-static bool any_stiffens(const World* world) {
-    for (int b = 0; b < world->balloon_count; b++)
-        for (int k = 0; k < force_count; k++)
-            if (force_table[k]->stiffens && force_table[k]->present(&world->balloon[b].body))
-                return true;
-    return false;
-}
-
 static bool is_watched(const World* world) {
     if (!guard_splits(&world->guard, world->method) ||
         (world->contacts.law == CONTACT_PAPER && world->contacts.sphere_count > 0))
         return false;
     // the work of what follows a path is unknown, but for that of contacts
     if (joints_are_led(&world->system.joints) || pins_are_led(&world->contacts.pins))
-        return false;
-    if (world->guard.substeps == 1 && !any_stiffens(world))
         return false;
     for (int b = 0; b < world->balloon_count; b++)
         if (!body_has_energy(&world->balloon[b]))
@@ -228,11 +222,29 @@ static Balance measure_balance(World* world) {
 }
 
 void energy_watch_start(World* world) {
+    EnergyWatch* watch = &world->watch;
     world->guard.made_again = false;
-    world->watch.on = is_watched(world);
-    world->watch.separation_work = world->contacts.separation_work;
-    if (world->watch.on)
+    watch->on = is_watched(world);
+    watch->saved = watch->on && (watch->due || world->guard.substeps >= SUBSTEPS_SAVED);
+    watch->separation_work = world->contacts.separation_work;
+    if (watch->saved)
         blowup_save_state(world);
+}
+
+/// Whether the energy is to be measured: K is above its limit, or it was not for long.
+static bool is_due(const World* world) {
+    // written so that a NaN is measured
+    return !(kinetic(world) <= world->watch.kinetic_max) ||
+           world->watch.since_measure >= MEASURE_INTERVAL;
+}
+
+/// After a step whose state was not saved: measure the next one, if need be.
+static void screen(World* world) {
+    EnergyWatch* watch = &world->watch;
+    if (watch->since_screen < SCREEN_INTERVAL)
+        return;
+    watch->since_screen = 0;
+    watch->due = is_due(world);
 }
 
 bool energy_watch_takes_back(World* world) {
@@ -240,9 +252,12 @@ bool energy_watch_takes_back(World* world) {
     if (!watch->on || world->blowup.halted)
         return false;
     watch->since_measure += world->guard.substeps;
-    // written so that a NaN is measured
-    if (kinetic(world) <= watch->kinetic_max && watch->since_measure < MEASURE_INTERVAL)
+    watch->since_screen += world->guard.substeps;
+    if (!watch->saved)
+        screen(world);
+    if (!watch->saved || !(watch->due || is_due(world)))
         return false;
+    watch->due = false;
     Balance balance = {.gain = (double)NAN};
     if (!blowup_is_bad(world)) {
         balance = measure_balance(world);
@@ -257,5 +272,29 @@ bool energy_watch_takes_back(World* world) {
     world->guard.taken_back++;
     watch->kinetic_max = 0;
     blowup_take_back(world);
+    return true;
+}
+
+/// Whether each step since the saved state would be the same again: nothing came from outside.
+static bool is_repeatable(const World* world) {
+    if (world->watch.touched || world->held || world->def.pipes_count > 0)
+        return false;
+    for (int b = 0; b < world->balloon_count; b++) {
+        const InflationDef* inflation = world->balloon[b].def->inflation;
+        if (inflation && inflation->leak > 0)
+            return false;
+    }
+    return true;
+}
+
+bool energy_watch_goes_back(World* world) {
+    if (!world->watch.on || world->watch.saved || !is_repeatable(world) ||
+        !guard_refine(&world->guard))
+        return false;
+    world->guard.taken_back++;
+    world->watch.kinetic_max = 0;
+    world->watch.due = true;
+    blowup_take_back(world);
+    world->step_count = world->good_step;
     return true;
 }
