@@ -9,6 +9,7 @@
 
 static const double gap_share = 0.1;     ///< [shortest edges] rest gap of a skin without thickness
 static const double gap_min = 1e-4;      ///< [mean edges] least rest gap
+static const double gap_max = 0.5;       ///< [mean edges] greatest: a mesh resolves no thicker skin
 static const double margin_self = 0.4;   ///< [mean edges] of the list of a skin with itself
 static const double margin_unfolded = 2; ///< [mean edges] the same where all regions are left out
 static const double margin_others = 0.4; ///< [mean edges] of a list of two skins
@@ -49,7 +50,7 @@ static void open_skin(Contacts* contacts, int b) {
         for (int e = 0; e < body->membrane.count; e++)
             gap = fmin(gap, (double)body->membrane.first[e]);
     }
-    skin->rest_gap = fmax(gap, gap_min * skin->scale);
+    skin->rest_gap = fmin(fmax(gap, gap_min * skin->scale), gap_max * skin->scale);
     if (contacts_thing(contacts, b)) { // no thickness; its faces may be far larger than a skin's
         skin->rest_gap = 0;
         skin->scale = fmin(skin->scale, scale_max(contacts));
