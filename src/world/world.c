@@ -47,10 +47,13 @@ static void open_contacts(World* world) {
     balls_begin(world);
 }
 
-/// Say which skins that may touch cross at the start: few scenes mean that. (None crosses a thing.)
+/// Say which skins that may touch cross or meet at the start: few scenes mean that.
 static void notice_crossings(World* world) {
-    const Crossings found = crossings_find(&world->contacts, true);
-    if (found.count > 0)
+    Crossings found = crossings_find(&world->contacts, true);
+    skin_pairs_begin(&world->contacts);
+    if (found.count == 0 && !crossings_left_out(&world->contacts, found.skin))
+        return;
+    if (found.skin[1] < world->balloon_count)
         crossings_say(&found, world->balloon[found.skin[0]].def->model,
                       world->balloon[found.skin[1]].def->model, world->notice,
                       sizeof world->notice);

@@ -194,6 +194,33 @@ static void skins_that_begin_crossed_touch_once_they_are_apart(void** state) {
     world_close(&world);
 }
 
+/// Whether a scene of two like balloons, the second at (x, y, 0), says `word` of them at the start.
+static bool says_at_start(double x, double y, const char* word) {
+    char position[64];
+    snprintf(position, sizeof position, "balloons.1.position=[%g, %g, 0]", x, y);
+    World world;
+    OPEN_TEXT(&world,
+              "step: 0.001\n"
+              "contacts: {others: true}\n"
+              "balloons:\n"
+              "  - {model: cube-sphere:6, scale: 0.5}\n"
+              "  - {model: cube-sphere:6, scale: 0.5}\n",
+              position);
+    const bool says = strstr(world.notice, word) != NULL;
+    assert_true(says || !world.notice[0]);
+    world_close(&world);
+    return says;
+}
+
+/// Along an axis of their symmetry edges lie on edges, and no triangle is known to pierce another.
+static void balloons_that_begin_in_each_other_are_named(void** state) {
+    (void)state;
+    assert_true(says_at_start(0.6, 0.013, "crosses balloons.1"));
+    assert_true(says_at_start(0.6, 0, "meets balloons.1"));
+    assert_true(says_at_start(0, 0, "meets balloons.1"));
+    assert_false(says_at_start(1.2, 0, "balloons.1"));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(features_have_their_distance),
@@ -202,6 +229,7 @@ int main(void) {
         cmocka_unit_test(a_heap_comes_to_rest_and_stays),
         cmocka_unit_test(without_contacts_it_crosses),
         cmocka_unit_test(a_hit_keeps_momenta_and_crosses_nothing),
+        cmocka_unit_test(balloons_that_begin_in_each_other_are_named),
         cmocka_unit_test(skins_that_begin_crossed_touch_once_they_are_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -92,12 +92,29 @@ Crossings crossings_find(const Contacts* contacts, bool touching) {
     return crossings;
 }
 
+bool crossings_left_out(const Contacts* contacts, int skin[2]) {
+    const SkinPairs* pairs = &contacts->skin_pairs;
+    for (skin[0] = 0; pairs->begun && skin[0] < contacts->skin_count; skin[0]++)
+        for (skin[1] = skin[0]; skin[1] < contacts->skin_count; skin[1]++)
+            if (pairs->list[skin[0] * contacts->skin_count + skin[1]].crossed)
+                return true;
+    return false;
+}
+
 void crossings_say(const Crossings* crossings, const char* model, const char* other_model,
                    char* text, size_t size) {
     const int first = crossings->skin[0], second = crossings->skin[1];
     char other[80] = "itself";
     if (first != second)
         snprintf(other, sizeof other, "balloons.%d (%s)", second, other_model);
+    if (crossings->count == 0) {
+        snprintf(
+            text, size,
+            "balloons.%d (%s) meets %s at points at the start, and may be across it; the two do "
+            "not touch until they have come apart",
+            first, model, other);
+        return;
+    }
     snprintf(
         text, size,
         "balloons.%d (%s) crosses %s at the start, %d pairs of triangles in all; what crosses does "

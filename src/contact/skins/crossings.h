@@ -29,7 +29,11 @@ struct Contacts;
 /// scene lets touch.
 Crossings crossings_find(const struct Contacts* contacts, bool touching);
 
-/// A sentence on balloons that cross at the start; model: of the first pair's two.
+/// The first two skins, or a skin twice, that do not touch since they crossed or met at the start.
+bool crossings_left_out(const struct Contacts* contacts, int skin[2]);
+
+/// A sentence on balloons that cross at the start, or that meet at points where no triangles are
+/// known to cross; model: of the first pair's two.
 void crossings_say(const Crossings* crossings, const char* model, const char* other_model,
                    char* text, size_t size);
 

@@ -291,9 +291,9 @@ static bool meet(Contacts* contacts, int a, int b, double longest) {
 /// At the start, and now and then of those that did: whether they cross.
 static void look_for_crossed(Contacts* contacts, double longest) {
     SkinPairs* pairs = &contacts->skin_pairs;
-    const bool first = !pairs->begun, due = ++pairs->updates % CROSSED_INTERVAL == 0;
+    const bool first = !pairs->begun;
     pairs->begun = true;
-    for (int a = 0; (first || due) && a < contacts->skin_count; a++)
+    for (int a = 0; a < contacts->skin_count; a++)
         for (int b = a; b < contacts->skin_count; b++) {
             PairList* list = list_of(contacts, a, b);
             if (!skin_pairs_may_touch(contacts, a, b) || !(first || list->crossed))
@@ -304,15 +304,24 @@ static void look_for_crossed(Contacts* contacts, double longest) {
         }
 }
 
+void skin_pairs_begin(Contacts* contacts) {
+    if (!any_touch(contacts) || contacts->skin_pairs.begun)
+        return;
+    if (!contacts->skin_pairs.skin)
+        open_pairs(contacts);
+    forget_motions(contacts);
+    look_for_crossed(contacts, reach_max(contacts));
+}
+
 void skin_pairs_update(Contacts* contacts, double h) {
     if (!any_touch(contacts))
         return;
+    skin_pairs_begin(contacts);
     SkinPairs* pairs = &contacts->skin_pairs;
-    if (!pairs->skin)
-        open_pairs(contacts);
     const double longest = reach_max(contacts);
     forget_motions(contacts);
-    look_for_crossed(contacts, longest);
+    if (++pairs->updates % CROSSED_INTERVAL == 0)
+        look_for_crossed(contacts, longest);
     // by the velocities of the last limit: it is a forecast, which the next limit corrects
     bool* made = pairs->made;
     for (int a = 0; a < contacts->skin_count; a++)

@@ -42,6 +42,9 @@ typedef struct SkinPairs {
 /// Whether the scene lets skins a and b touch, or a skin itself.
 bool skin_pairs_may_touch(const struct Contacts* contacts, int a, int b);
 
+/// Find the skins that cross or meet at the start; skin_pairs_update does, if this was not called.
+void skin_pairs_begin(struct Contacts* contacts);
+
 /// Make the lists anew where the motion since they were made, and some drifts of length h at the
 /// present velocities, may bring other pairs together.
 void skin_pairs_update(struct Contacts* contacts, double h);
