@@ -203,8 +203,8 @@ static bool says_at_start(double x, double y, const char* word) {
               "step: 0.001\n"
               "contacts: {others: true}\n"
               "balloons:\n"
-              "  - {model: cube-sphere:6, scale: 0.5}\n"
-              "  - {model: cube-sphere:6, scale: 0.5}\n",
+              "  - {model: cube-sphere:6, scale: 0.5, mass: {per_particle: 0.001}}\n"
+              "  - {model: cube-sphere:6, scale: 0.5, mass: {per_particle: 0.001}}\n",
               position);
     const bool says = strstr(world.notice, word) != NULL;
     assert_true(says || !world.notice[0]);
