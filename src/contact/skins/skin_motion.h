@@ -7,7 +7,6 @@
 #define BALLOON_CONTACT_SKINS_SKIN_MOTION_H
 
 #include "body/body.h"
-#include "contact/skins/skin_regions.h"
 
 struct Contacts;
 
@@ -38,7 +37,6 @@ typedef struct TouchingSkin {
     double coordinate_max;       ///< bound on the coordinates of its particles [m]
     bool has_ends; ///< impact zones have decided where its particles are after the coming drift
     real4* end;    ///< [count] there; NULL until that is so for the first time [m]
-    SkinRegions regions; ///< of a skin that may touch itself
 } TouchingSkin;
 
 /// The motion of skin b up to the positions x + ahead v.

@@ -11,7 +11,6 @@ static const double gap_share = 0.1;     ///< [shortest edges] rest gap of a ski
 static const double gap_min = 1e-4;      ///< [mean edges] least rest gap
 static const double gap_max = 0.5;       ///< [mean edges] greatest: a mesh resolves no thicker skin
 static const double margin_self = 0.4;   ///< [mean edges] of the list of a skin with itself
-static const double margin_unfolded = 2; ///< [mean edges] the same where all regions are left out
 static const double margin_others = 0.4; ///< [mean edges] of a list of two skins
 static const double forecast = 2;        ///< [drifts] that a list should hold
 enum {
@@ -59,8 +58,6 @@ static void open_skin(Contacts* contacts, int b) {
     memcpy(skin->reference, body->x, (size_t)body->count * sizeof(real4));
     skin->motion.stretch = skin->reference_motion.stretch = 1;
     broad_phase_open(&contacts->skin[b]);
-    if (skin_pairs_may_touch(contacts, b, b))
-        skin_regions_open(&skin->regions, body);
 }
 
 static void open_pairs(Contacts* contacts) {
@@ -121,19 +118,6 @@ static bool holds(Contacts* contacts, int a, int b, double ahead) {
             slack_of(contacts, a, b, ahead) >= 0);
 }
 
-/// Whether the regions that the list of skin b leaves out are unfolded after a drift.
-/// with_ends: the one that impact zones have decided, if they have.
-static bool regions_hold(Contacts* contacts, int b, double ahead, bool with_ends) {
-    const Body* body = contacts->skin[b].body;
-    TouchingSkin* touching = &contacts->skin_pairs.skin[b];
-    if (touching->regions.count == 0 || body->asleep || list_of(contacts, b, b)->crossed)
-        return true;
-    for (int i = 0; i < body->count; i++)
-        touching->regions.x[i] = with_ends ? skin_motion_end(contacts, b, i, ahead)
-                                           : body->x[i] + (real)ahead * body->v[i];
-    return skin_regions_hold(&touching->regions, body->mesh);
-}
-
 /// The motions that were measured are no longer of the present positions and velocities.
 static void forget_motions(const Contacts* contacts) {
     for (int b = 0; b < contacts->skin_count; b++)
@@ -145,7 +129,7 @@ static bool holds_longer(Contacts* contacts, int a, int b, double ahead) {
     PairList* list = list_of(contacts, a, b);
     if (list->crossed)
         return true;
-    if (!list->valid || (a == b && contacts->skin_pairs.skin[a].regions.any_failed))
+    if (!list->valid)
         return false;
     if (list->moved + skin_motion_relative(contacts, a, b, ahead) <= list->holds_until)
         return true;
@@ -153,14 +137,11 @@ static bool holds_longer(Contacts* contacts, int a, int b, double ahead) {
     return holds(contacts, a, b, ahead);
 }
 
-static bool all_hold(Contacts* contacts, double ahead, bool with_ends) {
+static bool all_hold(Contacts* contacts, double ahead) {
     for (int a = 0; a < contacts->skin_count; a++)
         for (int b = a; b < contacts->skin_count; b++)
             if (skin_pairs_may_touch(contacts, a, b) && !holds(contacts, a, b, ahead))
                 return false;
-    for (int b = 0; contacts->skins.self && b < contacts->first_thing; b++)
-        if (!regions_hold(contacts, b, ahead, with_ends))
-            return false;
     return true;
 }
 
@@ -170,7 +151,7 @@ double skin_pairs_limit(Contacts* contacts, double h) {
     forget_motions(contacts);
     skin_motion_measure_velocities(contacts);
     for (int halving = 0; halving < HALVINGS_MAX; halving++) {
-        if (all_hold(contacts, h, halving == 0))
+        if (all_hold(contacts, h))
             return h;
         h /= 2;
     }
@@ -244,22 +225,13 @@ static void clear_list(Contacts* contacts, int a, int b) {
     list->valid = false;
 }
 
-/// Leave out what is unfolded of a skin. Returns the margin for its list. [mean edges]
-static double margin_of_self(Contacts* contacts, int b) {
-    SkinRegions* regions = &contacts->skin_pairs.skin[b].regions;
-    if (regions->count == 0)
-        return margin_self;
-    const int left_out = skin_regions_leave_out(regions, contacts->skin[b].body);
-    return left_out == regions->count ? margin_unfolded : margin_self;
-}
-
 static void make_list(Contacts* contacts, int a, int b, double longest) {
     SkinPairs* pairs = &contacts->skin_pairs;
     PairList* list = list_of(contacts, a, b);
     fit(contacts, a, longest);
     fit(contacts, b, longest);
     const double scale = fmin(pairs->skin[a].scale, pairs->skin[b].scale);
-    const double margin = scale * (a == b ? margin_of_self(contacts, a) : margin_others);
+    const double margin = (a == b ? margin_self : margin_others) * scale;
     const double gap = skin_pairs_rest_gap(contacts, a, b);
     const double apart = a == b ? 0 : box_distance(&contacts->skin[a], &contacts->skin[b]);
     clear_list(contacts, a, b);
@@ -355,7 +327,6 @@ void skin_pairs_close(Contacts* contacts) {
     for (int b = 0; pairs->skin && b < contacts->skin_count; b++) {
         free(pairs->skin[b].reference);
         free(pairs->skin[b].end);
-        skin_regions_close(&pairs->skin[b].regions);
     }
     free(pairs->list);
     free(pairs->made);

@@ -82,8 +82,6 @@ static void add(Search* search, FeaturePair* candidate) {
     list->pair[list->count++] = *candidate;
 }
 
-// ---- features of two skins, or of one without regions ----
-
 /// Each vertex that belongs to the first triangle, and the second triangle.
 static void add_vertices(Search* search, int a, int t, int b, int u) {
     const ContactSkin* skin = search->contacts->skin;
@@ -113,82 +111,6 @@ static void add_edges(Search* search, int a, int t, int b, int u) {
         }
 }
 
-// ---- features of one skin with regions ----
-
-/// Whether a search for a skin's own features is to add one of triangles t and u, which belong to
-/// triangles `first` and `second`: there it is found, unless that is in a region left out.
-static bool is_found_here(const SkinRegions* regions, int t, int u, int first, int second) {
-    return (t == first && u == second) ||
-           skin_regions_cover(regions, regions->patch[first], regions->patch[second]);
-}
-
-static void add_own_vertices(Search* search, const SkinRegions* regions, int b, int t, int u) {
-    const Mesh* mesh = search->contacts->skin[b].body->mesh;
-    const int *vertex = mesh->triangle[t], *corner = mesh->triangle[u];
-    for (int k = 0; k < 3; k++)
-        if (!triangle_has(corner, vertex[k]) &&
-            is_found_here(regions, t, u, regions->point_owner[vertex[k]], u))
-            add(search, &(FeaturePair){.kind = VERTEX_TRIANGLE,
-                                       .skin = {b, b},
-                                       .node = {vertex[k], corner[0], corner[1], corner[2]},
-                                       .feature = (int64_t)vertex[k] << 32 | u});
-}
-
-static void add_own_edges(Search* search, const SkinRegions* regions, int b, int t, int u) {
-    const int(*triangle)[3] = (const int(*)[3])search->contacts->skin[b].body->mesh->triangle;
-    for (int j = 0; j < 3; j++)
-        for (int k = 0; k < 3; k++) {
-            const int e = regions->edge_number[3 * t + j], f = regions->edge_number[3 * u + k];
-            const int first = e < f ? e : f, second = e < f ? f : e;
-            const int *one = triangle[first / 3], *two = triangle[second / 3];
-            const int p = one[first % 3], q = one[(first + 1) % 3], r = two[second % 3],
-                      s = two[(second + 1) % 3];
-            if (p != r && p != s && q != r && q != s && is_found_here(regions, t, u, e / 3, f / 3))
-                add(search, &(FeaturePair){.kind = EDGE_EDGE,
-                                           .skin = {b, b},
-                                           .node = {p, q, r, s},
-                                           .feature = (int64_t)first << 32 | second});
-        }
-}
-
-static bool within(const Extent* a, const Extent* b, real reach) {
-    for (int k = 0; k < 3; k++)
-        if (a->low[k] - b->high[k] > reach || b->low[k] - a->high[k] > reach)
-            return false;
-    return true;
-}
-
-/// The features of two patches.
-static void search_patches(Search* search, const SkinRegions* regions, int b, int p, int q) {
-    const real reach = search->rounded_reach;
-    for (int j = regions->from[p]; j < regions->from[p + 1]; j++) {
-        const int t = regions->triangle[j];
-        if (!within(&regions->triangle_box[t], &regions->box[q], reach))
-            continue;
-        for (int k = p == q ? j + 1 : regions->from[q]; k < regions->from[q + 1]; k++) {
-            const int u = regions->triangle[k];
-            if (!within(&regions->triangle_box[t], &regions->triangle_box[u], reach))
-                continue;
-            add_own_vertices(search, regions, b, t, u);
-            add_own_vertices(search, regions, b, u, t);
-            add_own_edges(search, regions, b, t, u);
-        }
-    }
-}
-
-/// The features of a skin that are not of a region left out.
-static void find_own(Search* search, int b) {
-    SkinRegions* regions = &search->contacts->skin_pairs.skin[b].regions;
-    skin_regions_fit(regions, search->contacts->skin[b].body);
-    for (int p = 0; p < regions->count; p++)
-        for (int q = p; q < regions->count; q++)
-            if (within(&regions->box[p], &regions->box[q], search->rounded_reach) &&
-                !skin_regions_cover(regions, p, q))
-                search_patches(search, regions, b, p, q);
-}
-
-// ---- lists ----
-
 static int compare(const void* p, const void* q) {
     const FeaturePair *a = p, *b = q;
     if (a->skin[0] != b->skin[0]) // the first side is a vertex of either skin
@@ -198,38 +120,20 @@ static int compare(const void* p, const void* q) {
     return (a->feature > b->feature) - (a->feature < b->feature);
 }
 
-static void find_all(Search* search, int a, int b) {
-    ContactSkin* skin = search->contacts->skin;
-    const int(*near)[2];
-    const int count =
-        bullet_skin_near_triangles(skin[a].patches, skin[b].patches, search->reach, &near);
-    for (int k = 0; k < count; k++) {
-        const bool swapped = a == b && near[k][0] > near[k][1];
-        const int t = near[k][swapped], u = near[k][!swapped];
-        add_vertices(search, a, t, b, u);
-        add_vertices(search, b, u, a, t);
-        add_edges(search, a, t, b, u);
-    }
-}
-
-/// Features of a skin were perhaps found at several triangles.
-static void keep_each_once(PairList* list) {
-    int count = 0;
-    for (int k = 0; k < list->count; k++)
-        if (k == 0 || compare(&list->pair[count - 1], &list->pair[k]) != 0)
-            list->pair[count++] = list->pair[k];
-    list->count = count;
-}
-
 void skin_pairs_find(Contacts* contacts, int a, int b, double reach) {
     PairList* list = &contacts->skin_pairs.list[a * contacts->skin_count + b];
     Search search = {contacts, list, skin_pairs_rest_gap(contacts, a, b), reach,
                      (real)(1.01 * reach)};
-    if (a == b && contacts->skin_pairs.skin[a].regions.count > 0)
-        find_own(&search, a);
-    else
-        find_all(&search, a, b);
+    const int(*near)[2];
+    const int count = bullet_skin_near_triangles(contacts->skin[a].patches,
+                                                 contacts->skin[b].patches, reach, &near);
+    for (int k = 0; k < count; k++) {
+        const bool swapped = a == b && near[k][0] > near[k][1];
+        const int t = near[k][swapped], u = near[k][!swapped];
+        add_vertices(&search, a, t, b, u);
+        add_vertices(&search, b, u, a, t);
+        add_edges(&search, a, t, b, u);
+    }
     if (list->count > 0)
         qsort(list->pair, (size_t)list->count, sizeof *list->pair, compare);
-    keep_each_once(list);
 }
