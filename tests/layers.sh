@@ -31,13 +31,14 @@ declare -A may=(
     [view]="base mesh body force scene world view"
     [draw]="base view draw"
     [hud]="base view hud"
-    [show]="base world lab/run lab/truth lab/stability lab/advice lab/bench view draw hud show"
-    [cli]="base mesh body force contact/skins solve scene world lab/run lab/chart lab/stability lab/advice lab/bench lab/peer view show cli"
+    [show]="base world lab/run lab/truth lab/stability lab/advice lab/bench view draw hud show show/film"
+    [show/film]="base show/film"
+    [cli]="base mesh body force contact/skins solve scene world lab/run lab/chart lab/stability lab/advice lab/bench lab/peer view show show/film cli"
 )
 # the folders that may include a library, or the one file of a folder that may
 declare -A library=(
     [assimp]="mesh" [yaml.h]="scene" [cglm]="view" [EGL]="draw" [GL/]="draw"
-    [imgui]="hud" [GLFW]="show" [X11/]="show/display.c" [png.h]="show" [suitesparse]="solve/factor.c"
+    [imgui]="hud" [GLFW]="show" [X11/]="show/display.c" [png.h]="show/film" [suitesparse]="solve/factor.c"
     [bt]="contact/bullet lab/peer/peer.cpp" [Bullet]="contact/bullet lab/peer/peer.cpp"
 )
 

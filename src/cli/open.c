@@ -69,6 +69,28 @@ static bool all_sets(const Options* options, const char* method, Sets* sets, Fau
     return true;
 }
 
+/// A fault in an override that an option stands for names that: `--method M` instead of `--set
+/// method=M`, and `--compare M` where this is the second copy's method.
+static void name_option(const Options* options, const char* method, Fault* fault) {
+    static const char start[] = "--set ";
+    const char* text = fault->location + strlen(start);
+    const char* value = strchr(fault->location, '=');
+    if (strncmp(fault->location, start, strlen(start)) != 0 || !value)
+        return;
+    const char* name = NULL;
+    for (int k = 0; k < options->set_count && !name; k++)
+        if (strcmp(text, options->typed[k]) == 0)
+            name = options_short_for(text, (size_t)(value - text));
+    if (method && strncmp(text, "method=", strlen("method=")) == 0 &&
+        strcmp(value + 1, method) == 0)
+        name = "--compare";
+    if (!name)
+        return;
+    char location[sizeof fault->location];
+    snprintf(location, sizeof location, "%s %s", name, value + 1);
+    memcpy(fault->location, location, sizeof location);
+}
+
 /// Load the scene and open its world in the precision that it names. method: replaces the scene's;
 /// NULL: does not.
 static bool open_copy(const Options* options, const char* method, Sets* sets, World* world,
@@ -76,8 +98,10 @@ static bool open_copy(const Options* options, const char* method, Sets* sets, Wo
     WorldDef def;
     const char* target = options->target ? options->target : "party";
     if (!all_sets(options, method, sets, fault) ||
-        !scene_load(target, sets->set, sets->count, &def, fault))
+        !scene_load(target, sets->set, sets->count, &def, fault)) {
+        name_option(options, method, fault);
         return false;
+    }
     if (!options->quiet && !method)
         scene_say_renamed(&def);
 
@@ -89,6 +113,8 @@ static bool open_copy(const Options* options, const char* method, Sets* sets, Wo
     const bool good = world_open(world, &def, fault);
     if (!good && sets->count > 0)
         scene_blame(target, sets->set, sets->count, opens, fault);
+    if (!good)
+        name_option(options, method, fault);
     return good;
 }
 

@@ -106,6 +106,13 @@ static bool is_named(const char* option, const char* name, size_t length) {
     return option && strlen(option) == length && strncmp(option, name, length) == 0;
 }
 
+const char* options_short_for(const char* key, size_t length) {
+    for (int k = 0; k < option_count; k++)
+        if (is_named(option_table[k].key, key, length))
+            return option_table[k].name;
+    return NULL;
+}
+
 /// The row of an option's name; an earlier name is read with a sentence on stderr.
 static const Option* find_option(const char* name, size_t length) {
     for (int k = 0; k < option_count; k++) {
@@ -158,6 +165,15 @@ static bool verb_reads(const Verb* verb, const bool* used, Fault* fault) {
     return true;
 }
 
+/// --error, --budget and --fresh act with --auto; a verb that only advises needs no such word.
+static bool advice_is_asked(const Verb* verb, const Options* options, Fault* fault) {
+    const char* name = options->error ? "--error" : options->budget ? "--budget" : "--fresh";
+    if (verb->bit == VERB_ADVISE || options->advised ||
+        !(options->error || options->budget || options->fresh))
+        return true;
+    return fault_set(fault, name, "acts only with --auto, or in balloon advise");
+}
+
 bool options_read(int argc, char** argv, Options* options, const Verb** verb, Fault* fault) {
     bool used[sizeof option_table / sizeof *option_table] = {false};
     *verb = NULL;
@@ -182,5 +198,5 @@ bool options_read(int argc, char** argv, Options* options, const Verb** verb, Fa
     }
     if (!*verb)
         *verb = &verb_table[0];
-    return verb_reads(*verb, used, fault);
+    return verb_reads(*verb, used, fault) && advice_is_asked(*verb, options, fault);
 }

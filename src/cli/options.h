@@ -56,6 +56,9 @@ bool options_read(int argc, char** argv, Options* options, const struct Verb** v
 
 void options_print(void);
 
+/// Name of the option that is short for `--set key=VALUE`, or NULL.
+const char* options_short_for(const char* key, size_t length);
+
 /// A number above 0 from an option's text; `fallback` without a text.
 bool options_number(const char* text, const char* option, double fallback, double* value,
                     Fault* fault);

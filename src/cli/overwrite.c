@@ -9,7 +9,7 @@
 
 #include "lab/advice/advise.h"
 #include "show/run.h"
-#include "show/video.h"
+#include "show/film/video.h"
 #include "world/record.h"
 
 /// An output: its option and path, and the bytes by which the program knows its own file.

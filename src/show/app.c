@@ -8,7 +8,7 @@
 #include "base/memory.h"
 #include "hud/hud.h"
 #include "show/keys.h"
-#include "show/png.h"
+#include "show/film/png.h"
 #include "view/framing.h"
 #include "base/paths.h"
 

@@ -10,8 +10,8 @@
 #include "base/memory.h"
 #include "draw/egl.h"
 #include "show/pacer.h"
-#include "show/png.h"
-#include "show/video.h"
+#include "show/film/png.h"
+#include "show/film/video.h"
 
 /// A destination of frames: a folder, a still, a film, or none.
 typedef struct Frames Frames;
@@ -127,6 +127,27 @@ static const Writer film = {film_open, film_add, film_close};
 
 static const Writer none = {nothing, nothing, nothing_close};
 
+/// An ending that neither a picture nor a film has, unless there is a folder of that name.
+static bool is_other_format(const char* out, const Writer* writer) {
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+    const char *dot = strrchr(out, '.'), *slash = strrchr(out, '/');
+    struct stat found;
+    return writer == &folder && dot && dot > out && (!slash || dot > slash + 1) && dot[1] &&
+           dot[1 + strspn(dot + 1, letters)] == 0 && strlen(dot + 1) <= 4 && stat(out, &found) != 0;
+}
+
+/// Whether pictures of this size can be written there.
+static bool format_is_right(const Writer* writer, const FramesDef* def, Fault* fault) {
+    if (def->out && is_other_format(def->out, writer))
+        return fault_set(fault, def->out,
+                         "not a format of pictures or films: .png, .mp4, .webm, .gif; a folder of "
+                         "this name must be there first");
+    if (writer == &film && video_find(def->out)->even && (def->width % 2 || def->height % 2))
+        return fault_set(fault, "--size", "a film as %s has even sides, not %dx%d",
+                         video_find(def->out)->ending, def->width, def->height);
+    return true;
+}
+
 static const Writer* writer_for(const char* out) {
     if (!out)
         return &none;
@@ -194,7 +215,8 @@ bool output_frames(Output* output, const FramesDef* def, Fault* fault) {
                        .close = close_frames};
 
     // EGL first: a machine that cannot draw must leave no folder behind
-    if (egl_open_surfaceless(&frames->egl, fault) && frames->writer->open(frames, fault))
+    if (format_is_right(frames->writer, def, fault) && egl_open_surfaceless(&frames->egl, fault) &&
+        frames->writer->open(frames, fault))
         return true;
     egl_close_surfaceless(&frames->egl);
     free(frames->rgb);

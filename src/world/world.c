@@ -51,7 +51,9 @@ static void open_contacts(World* world) {
 static void notice_crossings(World* world) {
     Crossings found = crossings_find(&world->contacts, true);
     skin_pairs_begin(&world->contacts);
-    if (found.count == 0 && !crossings_left_out(&world->contacts, found.skin))
+    const bool any = found.count > 0 || crossings_left_out(&world->contacts, found.skin);
+    skin_pairs_close(&world->contacts); // the first step begins with the positions of its time
+    if (!any)
         return;
     if (found.skin[1] < world->balloon_count)
         crossings_say(&found, world->balloon[found.skin[0]].def->model,

@@ -42,6 +42,11 @@ for film in mp4:11 webm:11 gif:14; do # a GIF plays at 25 a second: 11 frames of
         -show_entries stream=nb_read_frames -of csv=p=0 "$scratch/film.$kind" | tr -d ',')" = "${film#*:}"
 done
 
+bad "not a format of pictures or films: .png, .mp4" "$balloon" render tether --seconds 0.01 --out "$scratch/film.jpg"
+ok "and no folder takes its place" test ! -e "$scratch/film.jpg"
+bad "^balloon: --size: a film as .mp4 has even sides, not 17x19" \
+    "$balloon" render tether --seconds 0.01 --size 17x19 --out "$scratch/odd.mp4"
+
 # --- every display mode gives a picture of its own, on springs or on rubber; with SHORT a little after
 # the start
 moment=$([ -z "${SHORT:-}" ] && echo 1 || echo 0.1)

@@ -8,8 +8,8 @@
 #include <png.h>
 
 #include "base/memory.h"
-#include "show/png.h"
-#include "show/video.h"
+#include "show/film/png.h"
+#include "show/film/video.h"
 
 enum { WIDTH = 37, HEIGHT = 23 };
 

@@ -251,10 +251,10 @@ static bool measure_case(Figures* figures, const SpeedCase* c, int side, const M
 /// and the relative error of its final pressure against the closed form.
 static bool measure_second(Figures* figures, Fault* fault) {
     enum { RUNS = 5, FRAMES = 60 };
-    static const SceneSet set[SETS] = {{"balloons.0.model=cube-sphere:43"},
-                                       {"method=newton"},
-                                       {"step=0.016666666666666666"},
-                                       {"seconds=1"}};
+    static const SceneSet set[] = {{"balloons.0.model=cube-sphere:43"},
+                                   {"method=newton"},
+                                   {"step=0.016666666666666666"},
+                                   {"seconds=1"}};
     const TruthBalloon balloon = truth_balloon_default();
     const double truth = truth_pressure(&balloon, truth_stretch_gas(&balloon, 2));
     double second[RUNS], off = 0;
@@ -262,7 +262,8 @@ static bool measure_second(Figures* figures, Fault* fault) {
     for (int k = 0; k < RUNS; k++) {
         WorldDef def;
         World world;
-        if (!scene_load("sphere-gas", set, SETS, &def, fault) || !world_open(&world, &def, fault))
+        if (!scene_load("sphere-gas", set, sizeof set / sizeof *set, &def, fault) ||
+            !world_open(&world, &def, fault))
             return false;
         const double start = clock_seconds(CLOCK_THREAD_CPUTIME_ID);
         for (int frame = 0; frame < FRAMES; frame++)

@@ -1,4 +1,4 @@
-#include "show/video.h"
+#include "show/film/video.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -10,25 +10,24 @@
 
 extern char** environ;
 
-// players need 4:2:0 color, which is defined for even sizes only
-#define EVEN "crop=trunc(iw/2)*2:trunc(ih/2)*2"
-
 // in the film, by which a later run knows it as its own
 static const char comment_option[] = "comment=" VIDEO_MARK;
 
-static const char* const MP4[] = {"-vf",       EVEN,           "-c:v",    "libx264",   "-crf",
-                                  "18",        "-pix_fmt",     "yuv420p", "-movflags", "+faststart",
+// players need 4:2:0 color, which is defined for even sizes only
+static const char* const MP4[] = {"-c:v",      "libx264",      "-crf",      "18",
+                                  "-pix_fmt",  "yuv420p",      "-movflags", "+faststart",
                                   "-metadata", comment_option, NULL};
-static const char* const WEBM[] = {"-vf",     EVEN,   "-c:v",      "libvpx-vp9",   "-crf",
-                                   "30",      "-b:v", "0",         "-pix_fmt",     "yuv420p",
-                                   "-row-mt", "1",    "-metadata", comment_option, NULL};
+static const char* const WEBM[] = {"-c:v",      "libvpx-vp9",   "-crf",    "30",      "-b:v",
+                                   "0",         "-pix_fmt",     "yuv420p", "-row-mt", "1",
+                                   "-metadata", comment_option, NULL};
 // delays are hundredths of a second: 25 frames a second are exact, 60 are not. One palette for all
 // frames
 static const char* const GIF[] = {
     "-vf", "fps=25,split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=sierra2_4a", NULL};
 
-const VideoFormat video_table[] = {
-    {".mp4", "mp4", MP4, false}, {".webm", "webm", WEBM, false}, {".gif", "gif", GIF, true}};
+const VideoFormat video_table[] = {{".mp4", "mp4", MP4, true, false},
+                                   {".webm", "webm", WEBM, true, false},
+                                   {".gif", "gif", GIF, false, true}};
 const int video_count = sizeof video_table / sizeof *video_table;
 
 enum { MAX_ARGUMENTS = 48 };

@@ -1,4 +1,4 @@
-#include "show/png.h"
+#include "show/film/png.h"
 
 #include <errno.h>
 #include <setjmp.h>
@@ -6,7 +6,7 @@
 
 #include <png.h>
 
-#include "show/video.h"
+#include "show/film/video.h"
 
 // Level 1 with one filter takes a fifth of the time of libpng's defaults; files are little larger.
 enum { COMPRESSION = 1 };

@@ -12,6 +12,7 @@ typedef struct VideoFormat {
     const char* ending;           ///< of the file's name, with the dot
     const char* muxer;            ///< ffmpeg's name of the container
     const char* const* arguments; ///< codec and filters, terminated by NULL
+    bool even;                    ///< players need even sides
     bool add_comment;             ///< ffmpeg writes no comment into this format; video_close does
 } VideoFormat;
 
