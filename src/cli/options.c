@@ -165,15 +165,6 @@ static bool verb_reads(const Verb* verb, const bool* used, Fault* fault) {
     return true;
 }
 
-/// --error, --budget and --fresh act with --auto; a verb that only advises needs no such word.
-static bool advice_is_asked(const Verb* verb, const Options* options, Fault* fault) {
-    const char* name = options->error ? "--error" : options->budget ? "--budget" : "--fresh";
-    if (verb->bit == VERB_ADVISE || options->advised ||
-        !(options->error || options->budget || options->fresh))
-        return true;
-    return fault_set(fault, name, "acts only with --auto, or in balloon advise");
-}
-
 bool options_read(int argc, char** argv, Options* options, const Verb** verb, Fault* fault) {
     bool used[sizeof option_table / sizeof *option_table] = {false};
     *verb = NULL;
@@ -198,5 +189,5 @@ bool options_read(int argc, char** argv, Options* options, const Verb** verb, Fa
     }
     if (!*verb)
         *verb = &verb_table[0];
-    return verb_reads(*verb, used, fault) && advice_is_asked(*verb, options, fault);
+    return verb_reads(*verb, used, fault);
 }

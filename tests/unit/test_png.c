@@ -81,7 +81,9 @@ static void every_format_makes_a_video(void** state) {
         snprintf(name, sizeof name, "-y $(id) '%s", video_table[k].ending);
         in_folder(name, file);
         assert_ptr_equal(video_find(file), &video_table[k]);
-        bool good = video_open(&video, &video_table[k], file, WIDTH, HEIGHT, 30, &fault);
+        const int odd = !video_table[k].even;
+        bool good = video_open(&video, &video_table[k], file, WIDTH / 2 * 2 + odd,
+                               HEIGHT / 2 * 2 + odd, 30, &fault);
         for (int n = 0; good && n < 8; n++) {
             fill(rgb, n);
             good = video_add(&video, rgb, &fault);

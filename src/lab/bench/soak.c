@@ -217,7 +217,8 @@ static bool measure(const BenchOptions* options, Fault* fault) {
         if (options->only && !strstr(scene_table[k], options->only))
             continue;
         Soak soak;
-        good = open_copies(&soak, scene_table[k], options->out, fault) && play_volley(&soak, fault);
+        good = open_copies(&soak, scene_table[k], options->out, fault) &&
+               (options->quick || play_volley(&soak, fault));
         const int rows = options->quick ? QUICK_ROWS : ROWS;
         for (int row = 1; good && row <= rows; row++)
             good = soak_row(&soak, row, row_seconds[options->quick], fault);
