@@ -24,6 +24,12 @@ typedef struct String {
     real4 impulse;      ///< h^2 times its pull in the last step, of a method that finds it [kg m]
 } String;
 
+/// Free length of a string that is tied again: at least distance - first stretch. With its old length,
+/// a string of 50 N/m to a balloon that flew 80 m away would pull one particle of a gram with 4 kN.
+static inline real string_tied_length(real free_length, real first_stretch, real distance) {
+    return real_max(free_length, distance - first_stretch);
+}
+
 /// Capacity for the parameters of forces.
 enum { FORCES_MAX = 16, FORCE_PARAMETERS_MAX = 4 };
 

@@ -7,13 +7,19 @@ static bool present(const Body* body) {
     return body->string_count > 0;
 }
 
+/// From the particle to the anchor. [m]
+static real distance(const Body* body, const String* string) {
+    return length(body->x[string->particle] - string->anchor);
+}
+
 /// Length over the free length [m], 0 while slack.
 static real excess(const Body* body, const String* string) {
-    return real_max(length(body->x[string->particle] - string->anchor) - string->free_length, 0);
+    return real_max(distance(body, string) - string->free_length, 0);
 }
 
 void string_reach(const Body* body, String* string) {
-    string->free_length += real_max(excess(body, string) - string->first_stretch, 0);
+    string->free_length =
+        string_tied_length(string->free_length, string->first_stretch, distance(body, string));
 }
 
 double string_tension(const Body* body, int string) {

@@ -63,10 +63,14 @@ static bool folder_add(Frames* frames, Fault* fault) {
     return png_write_rgb(file, frames->rgb, frames->def.width, frames->def.height, fault);
 }
 
-static bool folder_close(Frames* frames, bool complete, Fault* fault) {
-    (void)fault;
+static void print_count(const Frames* frames, bool complete) {
     if (complete && !frames->def.quiet)
         printf("%ld frame%s in %s\n", frames->done, frames->done == 1 ? "" : "s", frames->def.out);
+}
+
+static bool folder_close(Frames* frames, bool complete, Fault* fault) {
+    (void)fault;
+    print_count(frames, complete);
     return complete;
 }
 
@@ -102,8 +106,7 @@ static bool film_add(Frames* frames, Fault* fault) {
 
 static bool film_close(Frames* frames, bool complete, Fault* fault) {
     complete = video_close(&frames->video, complete, fault);
-    if (complete && !frames->def.quiet)
-        printf("%ld frame%s in %s\n", frames->done, frames->done == 1 ? "" : "s", frames->def.out);
+    print_count(frames, complete);
     return complete;
 }
 

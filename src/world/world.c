@@ -50,12 +50,13 @@ static void open_contacts(World* world) {
 /// Say which skins that may touch cross or meet at the start: few scenes mean that.
 static void notice_crossings(World* world) {
     Crossings found = crossings_find(&world->contacts, true);
-    skin_pairs_begin(&world->contacts);
-    const bool any = found.count > 0 || crossings_left_out(&world->contacts, found.skin);
-    skin_pairs_close(&world->contacts); // the first step begins with the positions of its time
-    if (!any)
-        return;
-    if (found.skin[1] < world->balloon_count)
+    bool any = found.count > 0;
+    if (!any) {
+        skin_pairs_begin(&world->contacts);
+        any = crossings_left_out(&world->contacts, found.skin);
+        skin_pairs_close(&world->contacts); // the first step begins with the positions of its time
+    }
+    if (any && found.skin[1] < world->balloon_count)
         crossings_say(&found, world->balloon[found.skin[0]].def->model,
                       world->balloon[found.skin[1]].def->model, world->notice,
                       sizeof world->notice);

@@ -100,7 +100,7 @@ real4 joint_force(const Joints* joints, const Joint* joint, double h) {
 void joint_reach(const Joints* joints, Joint* joint) {
     const real4 d =
         joint_position(joints, joint->end[1], 0) - joint_position(joints, joint->end[0], 0);
-    joint->free_length = real_max(joint->free_length, length(d) - joint->first_stretch);
+    joint->free_length = string_tied_length(joint->free_length, joint->first_stretch, length(d));
 }
 
 double joint_tension(const Joints* joints, const Joint* joint) {

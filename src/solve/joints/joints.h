@@ -89,7 +89,7 @@ double joint_tension(const Joints* joints, const Joint* joint);
 /// E of a joint after a drift of length h of its knot [J].
 double joint_energy(const Joints* joints, const Joint* joint, double h);
 
-/// Lengthen a joint that is tied again to where its ends are now, as string_reach does.
+/// Lengthen a joint that is tied again to where its ends are now, as string_tied_length says.
 void joint_reach(const Joints* joints, Joint* joint);
 
 /// Energy of all joints at the present positions [J].

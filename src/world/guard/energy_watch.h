@@ -32,7 +32,8 @@
 ///
 /// The watch is on for explicit methods, in the guard's mode `split`, where each force is the gradient of
 /// an energy and each contact takes energy: not with pressure on an open skin, corrected springs,
-/// `volume: global`, a material of variable thickness, the paper's contact, or a knot on a path.
+/// `volume: global`, a material of variable thickness, the paper's contact,
+/// a knot on a path, or pins to a thing on one.
 #ifndef BALLOON_WORLD_GUARD_ENERGY_WATCH_H
 #define BALLOON_WORLD_GUARD_ENERGY_WATCH_H
 
